@@ -20,7 +20,7 @@ namespace {
 
 constexpr carries everything{true, true, true, true, true, true, true};
 constexpr carries on_the_host{true, true, true, true, true, false, true};
-constexpr carries in_c{true, true, true, true, false, false, false};
+constexpr carries in_c{true, true, true, true, false, false, true};
 constexpr carries plain_ones{true, true, true, false, false, false, false};
 constexpr carries decided{false, true, true, true, true, false, false};
 constexpr carries to_read{true, true, false, false, false, false, false};
@@ -70,7 +70,8 @@ constexpr target table[] = {
      .files = c_files,
      .over = "cpp",
      .source = "_c.cpp",
-     .show = c_text},
+     .show = c_text,
+     .show_analytic = c_analytic_text},
     {.name = "python",
      .what = "formulas, signs and plain predicates of NumPy arrays",
      .can = plain_ones,

@@ -67,6 +67,18 @@ def parsed(text):
     return structs, functions
 
 
+def only(emitted, name):
+    """The structs, and the functions that this one calls: compilers take long for whole scenes."""
+    functions = {m[1]: m[0] for m in
+                 re.finditer(r"^(?:fn )?(?:\w+ )?(\w+)\([^)]*\)(?: -> \w+)? \{\n.*?^\}\n", emitted, re.M | re.S)}
+    wanted, left = set(), [name]
+    while left:
+        wanted.add(left[-1])
+        left += [f for f in re.findall(r"\b(\w+)\(", functions[left.pop()]) if f in functions and f not in wanted]
+    structs = re.findall(r"^struct \w+ \{\n.*?^\};?\n", emitted, re.M | re.S)
+    return "".join(structs) + "".join(text for f, text in functions.items() if f in wanted)
+
+
 class Shapes:
     def __init__(self, structs):
         self.structs = structs
@@ -230,11 +242,15 @@ def compare(language, compiler, folder):
         shapes = Shapes(structs)
         functions = [f for f in functions if not f[1].endswith("_sign_of")]
         header = Header(compiler, folder, language, space, c_prefix, shapes, functions)
+        source = os.path.join(folder, f"{language}_{space}" + (".comp" if language == "glsl" else ".wgsl"))
+        with open(source, "w", encoding="utf-8") as file:
+            file.write(shader(language, emitted, shapes, functions[0]))
+        jobs.append((space, source, os.path.join(folder, f"{language}_{space}.spv")))
         for function in functions:
             stem = os.path.join(folder, f"{language}_{function[1]}")
             source = stem + (".comp" if language == "glsl" else ".wgsl")
             with open(source, "w", encoding="utf-8") as file:
-                file.write(shader(language, emitted, shapes, function))
+                file.write(shader(language, only(emitted, function[1]), shapes, function))
             jobs.append((function[1], source, stem + ".spv"))
             rows = rows_of(random, language, sum(shapes.width(k) for k in function[2]))
             rows.tofile(stem + ".in")
