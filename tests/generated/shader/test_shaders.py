@@ -149,7 +149,7 @@ class Header:
         with open(source, "w", encoding="utf-8") as file:
             file.write(text)
         flags = ["-mno-fma"] if os.uname().machine == "x86_64" else []
-        run(compiler, "-std=c99", "-O1", "-ffp-contract=off", *flags, "-shared", "-fPIC", "-I", os.path.join(folder, "out"), source,
+        run(compiler, "-std=c99", "-O0", "-ffp-contract=off", *flags, "-shared", "-fPIC", "-I", os.path.join(folder, "out"), source,
             "-o", library, "-lm")
         self.library = ctypes.CDLL(library)
 
@@ -161,7 +161,7 @@ class Header:
         return out
 
 
-# What C's names begin with, and GLSL's: a namespace `gl` is `m_gl` there.
+# The beginning of C's names, and that of GLSL's: a namespace `gl` is `m_gl` there.
 PREFIX = {}
 
 
