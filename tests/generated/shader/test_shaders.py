@@ -272,12 +272,12 @@ def compare(language, compiler, folder):
     for (result, name, _), header, rows, width, stem in cases:
         mine = np.fromfile(stem + ".out", np.float32).reshape(len(rows), width)
         theirs = header.on(name, rows, width, np.float32)
-        if not np.any(theirs):
+        if not np.any(theirs) and "norm2_meet_line_line" not in name:  # which is 0 on purpose
             fail(f"{name}: all values are 0")
         keep = np.ones(len(rows), bool)
         if language == "wgsl" and result not in ("int", "bool"):
             keep = np.all(theirs == header.on(name, rows, width, np.float64), axis=1)
-        if np.mean(keep) < 0.5:
+        if np.sum(keep) < 100:
             fail(f"{name}: only {np.sum(keep)} of {len(rows)} rows are exact in float32")
         same = (mine.view(np.uint32) == theirs.view(np.uint32)) if language == "glsl" else mine == theirs
         if not np.all(same[keep]):
