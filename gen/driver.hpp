@@ -82,6 +82,8 @@ int generate(const generate_options &o);
 // Prints which arithmetic keeps the scene's tolerance, kernel by kernel, and why.
 int plan_scene(const plan_options &o);
 int verify_scene(const verify_options &o);
+// Prints the table of targets.
+int list_targets();
 int show(const show_options &o);
 // Prints the exact value of an expression for operands that are given as numbers: 'S: sphere = 0,0,0,1; L: line = …'.
 int eval(const eval_options &o);

@@ -97,6 +97,8 @@ int main(int argc, char **argv) {
   show_command->add_option("--emit", s.emit, "Stage to print: cpp where nothing is said")
       ->check(CLI::IsMember(stages()));
 
+  CLI::App *targets_command = app.add_subcommand("targets", "Print what each target, a scene's backend, carries");
+
   eval_options ev;
   CLI::App *eval_command =
       app.add_subcommand("eval", "Print the exact value of an expression for operands that are given as numbers");
@@ -165,6 +167,7 @@ int main(int argc, char **argv) {
                    : compare_command->parsed() ? compare_scenes(m)
                    : eval_command->parsed()    ? eval(ev)
                    : new_command->parsed()     ? new_project(first)
+                   : targets_command->parsed() ? list_targets()
                                                : show(s);
     finish_output();
     return rc;

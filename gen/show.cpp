@@ -78,6 +78,11 @@ std::string after_pass(const lower::model &m, const lower::request &r, const std
 
 } // namespace
 
+int list_targets() {
+  say(target::list_of_targets());
+  return 0;
+}
+
 int show(const show_options &o) {
   compilation c = load(o.scene, o.algebra_path);
   const target::target *whole = target::find(o.emit);

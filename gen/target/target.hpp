@@ -58,6 +58,8 @@ struct target {
   const char *name; // as in a scene's `backends` and in `meetc show --emit=NAME`
   const char *what; // one line, for help
   carries can;
+  // For a target with files: the types of numbers that it computes in, and the promise of its formulas' bits.
+  const char *numbers = "", *bits = "";
   bool is_default = false; // written if the scene names no backends
   // It shows polynomials, and so needs unit::shown and cannot carry a formula that is too long to be expanded.
   bool reads_polynomials = false;
@@ -88,6 +90,8 @@ std::vector<file> umbrella_sources(const std::vector<file> &files, const lang::s
 std::span<const target> all();
 // Null if no target has this name.
 const target *find(const std::string &name);
+// The targets that write files and what each carries, a line each, below a line of titles.
+std::string list_of_targets();
 // The targets that write files, which a scene's `backends` may name.
 lang::backend_choice backends();
 // The files of the scene's backends and of the targets that those include, with the kernel headers, sorted by path.

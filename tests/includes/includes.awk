@@ -8,7 +8,7 @@ BEGIN {
   # The generator, in its order. `oracle` is a judge that is independent of the others.
   split("support lang algebra poly ir search bound lower/expand lower/programs lower/kernel lower/analytic lower/predicate lower passes" \
         " target target/cpp target/gappa target/c target/cuda target/every_pair target/json target/latex target/python" \
-        " target/text" \
+        " target/shader target/text" \
         " target/registry", order_gen, " ")
   for (i = 1; i in order_gen; ++i) {
     rooms["gen/" order_gen[i]] = 1

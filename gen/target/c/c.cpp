@@ -75,6 +75,8 @@ std::vector<file> c_files(const unit &u) {
   header += "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n" + c_kinds(u);
   for (const lower::kernel &k : u.kernels)
     header += k.is_predicate ? c_decision(u, k) : c_formula(u, k);
+  for (const lower::analytic_kernel &k : u.analytic)
+    header += c_analytic(u, k);
   header += "#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
   std::vector<file> out{{space + '/' + space + ".h", broken_lines(header)}};
   const std::string library = c_library(u);

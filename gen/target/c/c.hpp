@@ -3,8 +3,8 @@
 //
 // <space>/<space>.h compiles as C99 and as C++ with -pedantic, and needs only <math.h> and <stdbool.h>. Every name
 // begins with the namespace: cga_sphere (double), cga_spheref (float), cga_meet_sphere_line, cga_meet_sphere_linef.
-// Predicates and signs take operands stored in float32. <space>/<space>_c.cpp holds the certified and exact answers and
-// the plain ones in double-double, with C linkage, over the target cpp.
+// Predicates and signs take operands stored in float32. <space>/<space>_c.cpp holds the certified and exact answers, the
+// plain ones in double-double, and the functions that are no polynomials, with C linkage, over the target cpp.
 #pragma once
 #include "gen/target/target.hpp"
 
@@ -13,6 +13,7 @@ namespace meetc::target {
 std::vector<file> c_files(const unit &u);
 // The part of the header for one kernel, after the kinds that it needs.
 std::string c_text(const unit &u, std::size_t kernel);
+std::string c_analytic_text(const unit &u, std::size_t kernel);
 
 // ---- the parts ----
 
@@ -36,6 +37,9 @@ std::string c_kinds(const unit &u);
 std::string c_formula(const unit &u, const lower::kernel &k);
 // Declarations and plain functions of a sign or predicate, for the header.
 std::string c_decision(const unit &u, const lower::kernel &k);
+// A function that is no polynomial: its declarations, and its definitions in the library.
+std::string c_analytic(const unit &u, const lower::analytic_kernel &k);
+std::string c_analytic_definitions(const unit &u, const lower::analytic_kernel &k);
 // The functions with C linkage, over the target cpp.
 std::string c_library(const unit &u);
 

@@ -3,6 +3,7 @@
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/names.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace meetc::target {
@@ -31,12 +32,14 @@ std::string function(const unit &u, const lower::kernel &k, const char *type, co
 
 std::string c_library(const unit &u) {
   const std::string space = identifier(u.scene.space);
-  std::string out = fmt::format("#include <{0}/{0}.h>\n#include <{0}/{0}.hpp>\n\n#include <bit>\n\nnamespace {{\n\n"
+  const bool copies = std::any_of(u.analytic.begin(), u.analytic.end(),
+                                  [](const lower::analytic_kernel &k) { return k.function == "pose"; });
+  std::string out = fmt::format("#include <{0}/{0}.h>\n#include <{0}/{0}.hpp>\n\n{1}#include <bit>\n\nnamespace {{\n\n"
                                 "// The structs of both languages hold the same floats in the same order.\n"
                                 "template <class T, class C> T of(const C *k) {{\n"
                                 "  static_assert(sizeof(T) == sizeof(C));\n  return std::bit_cast<T>(*k);\n}}\n\n"
                                 "}} // namespace\n\nextern \"C\" {{\n\n",
-                                space);
+                                space, copies ? "#include <algorithm>\n" : "");
   for (const lower::lowered_kind &k : u.kinds)
     out += fmt::format("bool {0}_valid_{1}(const {2} *k) {{\n  return {0}::valid(of<{0}::{1}<float>>(k));\n}}\n", space,
                        identifier(k.name), c_name(u, k.name, c_numbers[1]));
@@ -62,6 +65,8 @@ std::string c_library(const unit &u) {
     if (u.asks(lang::rung::certified))
       out += function(u, k, "int", "_filter", fmt::format("static_cast<int>({}filter({}))", of, operands));
   }
+  for (const lower::analytic_kernel &k : u.analytic)
+    out += c_analytic_definitions(u, k);
   return out + "\n} // extern \"C\"\n";
 }
 

@@ -7,9 +7,11 @@
 #include "gen/target/json/json.hpp"
 #include "gen/target/latex/latex.hpp"
 #include "gen/target/python/python.hpp"
+#include "gen/target/shader/shader.hpp"
 #include "gen/target/text/text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <stdexcept>
 #include <string_view>
@@ -19,7 +21,7 @@ namespace {
 
 constexpr carries everything{true, true, true, true, true, true, true};
 constexpr carries on_the_host{true, true, true, true, true, false, true};
-constexpr carries in_c{true, true, true, true, false, false, false};
+constexpr carries in_c{true, true, true, true, false, false, true};
 constexpr carries plain_ones{true, true, true, false, false, false, false};
 constexpr carries decided{false, true, true, true, true, false, false};
 constexpr carries to_read{true, true, false, false, false, false, false};
@@ -58,6 +60,8 @@ constexpr target table[] = {
     {.name = "cpp",
      .what = "C++20 headers for host and device, and the generated library",
      .can = on_the_host,
+     .numbers = "any",
+     .bits = "with FMA, without",
      .is_default = true,
      .files = proved_cpp_files,
      .source = "_runtime.cpp",
@@ -66,19 +70,42 @@ constexpr target table[] = {
     {.name = "c",
      .what = "C99 formulas, signs and plain predicates, and certified ones with C linkage",
      .can = in_c,
+     .numbers = "float, double",
+     .bits = "as cpp",
      .files = c_files,
      .over = "cpp",
      .source = "_c.cpp",
-     .show = c_text},
+     .show = c_text,
+     .show_analytic = c_analytic_text},
     {.name = "python",
      .what = "formulas, signs and plain predicates of NumPy arrays",
      .can = plain_ones,
+     .numbers = "of the arrays",
+     .bits = "as cpp without FMA",
      .files = python_files,
      .source = ".py",
      .show = python_text},
+    {.name = "glsl",
+     .what = "formulas, signs and plain predicates for shaders of GLSL, in float32",
+     .can = plain_ones,
+     .numbers = "float32",
+     .bits = "as cpp without FMA",
+     .files = glsl_files,
+     .source = ".glsl",
+     .show = glsl_text},
+    {.name = "wgsl",
+     .what = "the same for shaders of WGSL",
+     .can = plain_ones,
+     .numbers = "float32",
+     .bits = "none",
+     .files = wgsl_files,
+     .source = ".wgsl",
+     .show = wgsl_text},
     {.name = "cuda",
      .what = "launchers on a CUDA device",
      .can = everything,
+     .numbers = "as cpp",
+     .bits = "as cpp with FMA",
      .is_default = true,
      .files = cuda_files,
      .over = "cpp",
@@ -87,6 +114,8 @@ constexpr target table[] = {
     {.name = "every_pair",
      .what = "every pair of two sets as a product of matrices, on a CUDA device",
      .can = everything,
+     .numbers = "as cpp",
+     .bits = "as cpp with FMA",
      .files = every_pair_files,
      .over = "cuda",
      .source = "_every_pair.cu"},
@@ -96,6 +125,25 @@ constexpr target table[] = {
 
 std::span<const target> all() {
   return table;
+}
+
+std::string list_of_targets() {
+  const auto row = [](const std::array<std::string, 9> &cells) {
+    static constexpr std::array widths{10, 13, 8, 9, 5, 9, 8, 9, 0};
+    std::string out;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      out += fmt::format("{:<{}}{}", cells[i], widths[i], i + 1 < cells.size() ? "  " : "\n");
+    return out;
+  };
+  std::string out = row({"target", "numbers", "formulas", "gives,exp", "plain", "certified", "tolerant", "launchers",
+                         "bits of formulas"});
+  for (const target &t : table)
+    if (t.files) {
+      const auto yes = [](bool can) { return std::string(can ? "yes" : "-"); };
+      out += row({t.name, t.numbers, yes(t.can.formulas), yes(t.can.analytic), yes(t.can.plain), yes(t.can.certified),
+                  yes(t.can.tolerant), yes(t.can.launchers), t.bits});
+    }
+  return out;
 }
 
 const target *find(const std::string &name) {
