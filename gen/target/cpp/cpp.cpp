@@ -13,8 +13,8 @@ std::string cpp_text(const unit &u, std::size_t kernel) {
   const std::string head = banner(u.scene, k.asked.text);
   if (k.is_predicate)
     return broken_lines(head + kernel_header(u, kernel));
-  return broken_lines(head + open_header(u.scene, "kernel_" + k.asked.name(), {"kinds.hpp"}) + formula_header(u, k) +
-                      close_header(u.scene));
+  return broken_lines(head + open_header(u.scene, "kernel_" + k.asked.name(), {"kinds.hpp"}, {}, formula_support) +
+                      formula_header(u, k) + close_header(u.scene));
 }
 
 namespace {

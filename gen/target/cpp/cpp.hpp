@@ -5,8 +5,10 @@
 namespace meetc::target {
 
 std::string banner(const lang::scene &s, const std::string &what, const char *comment = "//");
+// `first`: the kernel header that comes first. One of formulas needs few of them, and so takes little time to compile.
+inline constexpr const char *formula_support = "number/formula.hpp";
 std::string open_header(const lang::scene &s, const std::string &name, const std::vector<std::string> &includes = {},
-                        const std::vector<std::string> &kernel_headers = {});
+                        const std::vector<std::string> &kernel_headers = {}, const char *first = "support.hpp");
 std::string close_header(const lang::scene &s);
 // Breaks long lines of code after commas.
 std::string broken_lines(const std::string &text);
