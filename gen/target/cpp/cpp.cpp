@@ -52,6 +52,8 @@ std::vector<file> cpp_files(const unit &u) {
                                                    open_header(u.scene, "file_all", headers) + close_header(u.scene)});
   out.push_back({space + "/header_only.hpp", header_only(u)});
   out.push_back({space + "/shapes.hpp", shapes_header(u)});
+  if (std::any_of(u.kinds.begin(), u.kinds.end(), [](const lower::lowered_kind &k) { return k.has_blade(); }))
+    out.push_back({space + "/operators.hpp", operators_header(u)});
   if (!predicates_of(u).empty() || !formulas_on_columns(u).empty())
     out.push_back({space + "/for_each.hpp", for_each_header(u)});
   out.push_back({space + '/' + space + "_runtime.hpp", runtime_header(u)});

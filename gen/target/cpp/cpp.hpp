@@ -35,6 +35,7 @@ std::vector<const lower::lowered_kind *> element_kinds(const unit &u);
 std::size_t element_place(const std::vector<const lower::lowered_kind *> &elements, const lower::kernel &k,
                           std::size_t operand);
 std::string shapes_header(const unit &u);
+std::string operators_header(const unit &u);
 // The names of a kind's numbers in a CSV file.
 std::string csv_names(const lower::lowered_kind &k);
 
