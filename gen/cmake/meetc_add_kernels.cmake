@@ -129,7 +129,7 @@ function(meetc_add_kernels target)
   foreach(i RANGE 1 ${units})
     list(APPEND sources "${folder}/${space}/units/unit_${i}.cpp")
   endforeach()
-  set(headers "${folder}/meetc/support.hpp" "${folder}/${space}/${space}.hpp" "${folder}/${space}/kinds.hpp"
+  set(headers "${folder}/meetc/environment/version.hpp" "${folder}/${space}/${space}.hpp" "${folder}/${space}/kinds.hpp"
     "${folder}/${space}/${space}_runtime.hpp")
   set(generate ${meetc} generate "${scene}" --out "${folder}" --namespace "${space}" --units ${units})
   if("c" IN_LIST arg_BACKENDS)

@@ -80,9 +80,9 @@ if(TARGET meet_core)
   install(EXPORT meetc_runtime_targets NAMESPACE meet::
     DESTINATION "${MEETC_INSTALL_CMAKE}" COMPONENT meetc_runtime)
   set(rooms ${MEETC_KERNEL_HEADERS})
-  list(REMOVE_ITEM rooms support.hpp)
+  list(REMOVE_ITEM rooms environment/version.hpp)
   meetc_install_headers("${MEETC_KERNEL_FOLDER}" meetc ${rooms})
-  install(FILES "${MEETC_SUPPORT_HEADER}" DESTINATION "${MEETC_INSTALL_HEADERS}/meetc" COMPONENT meetc_runtime)
+  install(FILES "${MEETC_VERSION_HEADER}" DESTINATION "${MEETC_INSTALL_HEADERS}/meetc/environment" COMPONENT meetc_runtime)
   meetc_install_headers("${PROJECT_SOURCE_DIR}/runtime/core" meet/core ${MEETC_CORE_HEADERS})
 endif()
 

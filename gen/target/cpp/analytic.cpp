@@ -36,8 +36,7 @@ std::string reading_text(const unit &u, const lower::analytic_kernel &k) {
                      "  {1}_given<T> given;\n  given.exists = given.is_real = true;\n",
                      k.text, kind);
   for (const lower::reading::step &s : r.steps) {
-    body_names names;
-    names.fma = fma_of_formulas;
+    body_names names = names_of_formula();
     names.input = variable;
     std::string all;
     for (std::size_t i = 0; i < s.code.results.size(); ++i)
@@ -134,10 +133,10 @@ std::string motion_text(const unit &u, const lower::analytic_kernel &k) {
 
 std::string analytic_text(const unit &u, std::size_t kernel) {
   const lower::analytic_kernel &k = u.analytic[kernel];
-  return broken_lines(
-      banner(u.scene, k.text) +
-      open_header(u.scene, "kernel_" + k.name, {"kinds.hpp"}, {k.read ? "number/root.hpp" : "number/motion.hpp"}) +
-      (k.read ? reading_text(u, k) : motion_text(u, k)) + close_header(u.scene));
+  return broken_lines(banner(u.scene, k.text) +
+                      open_header(u.scene, "kernel_" + k.name, {"kinds.hpp"},
+                                  {k.read ? "number/root.hpp" : "number/motion.hpp"}, formula_support) +
+                      (k.read ? reading_text(u, k) : motion_text(u, k)) + close_header(u.scene));
 }
 
 } // namespace meetc::target

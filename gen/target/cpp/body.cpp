@@ -12,15 +12,14 @@
 namespace meetc::target {
 namespace {
 
-std::string constant_text(const ir::rational &q, const std::string &type) {
-  const auto integer = [&](const mpz_class &z) { return fmt::format("{}({})", type, z.get_str()); };
+std::string constant_text(const ir::rational &q, const body_names &names) {
   if (q.get_den() == 1)
-    return integer(q.get_num());
-  return fmt::format("meetc::ratio<{}>({}, {})", type, q.get_num().get_str(), q.get_den().get_str());
+    return fmt::format("{}({})", names.number, q.get_num().get_str());
+  return fmt::format("meetc::ratio<{}>({}, {})", names.type, q.get_num().get_str(), q.get_den().get_str());
 }
 
 syntax cpp_syntax(const body_names &names, const std::string &indent) {
-  return {names.type,  names.fma,        [type = names.type](const ir::rational &q) { return constant_text(q, type); },
+  return {names.type,  names.fma,        [names](const ir::rational &q) { return constant_text(q, names); },
           names.input, indent,           {},
           "W",         "meetc::times<W>"};
 }
@@ -35,6 +34,13 @@ std::string line(const std::string &indent, const std::string &statement, const 
 }
 
 } // namespace
+
+body_names names_of_formula() {
+  body_names out;
+  out.fma = "meetc::multiply_add<T>";
+  out.number = "meetc::number<T>";
+  return out;
+}
 
 std::string body(const ir::program &p, const body_names &names, const std::string &indent) {
   const statements::text text = statements::of(p, cpp_syntax(names, indent));

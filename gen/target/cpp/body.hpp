@@ -14,10 +14,13 @@ struct body_names {
   std::function<std::string(int)> input;                               // from input number to expression
   std::function<std::string(std::size_t, const std::string &)> result; // from result number and value to statement
   std::string type = "T";
-  // The function of a b + c: rounded once everywhere, as the schedule of a predicate says, or as the target does it best.
-  std::string fma = "meetc::fma";
+  // The functions of a b + c, rounded once everywhere, as the schedule of a predicate says, and of a constant.
+  std::string fma = "meetc::fma", number = type;
 };
-inline constexpr const char *fma_of_formulas = "meetc::multiply_add";
+// The names in a formula, whose type is any with +, - and *: a b + c is rounded as the target does it best.
+body_names names_of_formula();
+// Stands behind the parameters of a formula.
+inline constexpr const char *throws_nothing = "noexcept(meetc::is_built_in<T>)";
 
 // The whole program. Values that are used once are written where they are used.
 std::string body(const ir::program &p, const body_names &names, const std::string &indent);

@@ -1,4 +1,4 @@
-#include "gen/target/cpp/bytecode.hpp"
+#include "gen/target/cpp/predicate.hpp"
 
 #include "gen/ir/fold.hpp"
 

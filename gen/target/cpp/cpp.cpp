@@ -13,8 +13,8 @@ std::string cpp_text(const unit &u, std::size_t kernel) {
   const std::string head = banner(u.scene, k.asked.text);
   if (k.is_predicate)
     return broken_lines(head + kernel_header(u, kernel));
-  return broken_lines(head + open_header(u.scene, "kernel_" + k.asked.name(), {"kinds.hpp"}) + formula_header(u, k) +
-                      close_header(u.scene));
+  return broken_lines(head + open_header(u.scene, "kernel_" + k.asked.name(), {"kinds.hpp"}, {}, formula_support) +
+                      formula_header(u, k) + close_header(u.scene));
 }
 
 namespace {
@@ -52,6 +52,8 @@ std::vector<file> cpp_files(const unit &u) {
                                                    open_header(u.scene, "file_all", headers) + close_header(u.scene)});
   out.push_back({space + "/header_only.hpp", header_only(u)});
   out.push_back({space + "/shapes.hpp", shapes_header(u)});
+  if (std::any_of(u.kinds.begin(), u.kinds.end(), [](const lower::lowered_kind &k) { return k.has_blade(); }))
+    out.push_back({space + "/operators.hpp", operators_header(u)});
   if (!predicates_of(u).empty() || !formulas_on_columns(u).empty())
     out.push_back({space + "/for_each.hpp", for_each_header(u)});
   out.push_back({space + '/' + space + "_runtime.hpp", runtime_header(u)});

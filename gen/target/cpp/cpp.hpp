@@ -5,8 +5,10 @@
 namespace meetc::target {
 
 std::string banner(const lang::scene &s, const std::string &what, const char *comment = "//");
+// `first`: the kernel header that comes first. One of formulas needs few of them, and so takes little time to compile.
+inline constexpr const char *formula_support = "number/formula.hpp";
 std::string open_header(const lang::scene &s, const std::string &name, const std::vector<std::string> &includes = {},
-                        const std::vector<std::string> &kernel_headers = {});
+                        const std::vector<std::string> &kernel_headers = {}, const char *first = "support.hpp");
 std::string close_header(const lang::scene &s);
 // Breaks long lines of code after commas.
 std::string broken_lines(const std::string &text);
@@ -33,6 +35,7 @@ std::vector<const lower::lowered_kind *> element_kinds(const unit &u);
 std::size_t element_place(const std::vector<const lower::lowered_kind *> &elements, const lower::kernel &k,
                           std::size_t operand);
 std::string shapes_header(const unit &u);
+std::string operators_header(const unit &u);
 // The names of a kind's numbers in a CSV file.
 std::string csv_names(const lower::lowered_kind &k);
 

@@ -44,12 +44,15 @@ std::string for_pairs(const lower::kernel &k, const body_names &names, const thr
                                 f.says, identifier(k.asked.name()), stored.fields_a, stored.fields_b);
   for (const auto &[i, where, text] : {std::tuple(std::size_t{0}, poly::residency::a, stored.object_a),
                                        std::tuple(std::size_t{1}, poly::residency::b, stored.object_b)})
-    out += fmt::format("  // {}.\n  template <class T> MEETC_HD static void object_{}({}, {}) {{\n{}  }}\n",
-                       count_text(ir::count_object(f.code, where)), i == 0 ? 'a' : 'b', operand(i, text),
-                       pointer("T", "f", text), text);
-  return out + fmt::format("  // {}.\n  template <class T> MEETC_HD static {} pair({}, {}, {}, {}) {{\n{}  }}\n}};\n",
-                           count_text(ir::count_pair(f.code)), f.result, operand(0, pair),
-                           pointer("const T", "fa", pair), operand(1, pair), pointer("const T", "fb", pair), pair);
+    out +=
+        fmt::format("  // {}.\n  template <class T> MEETC_HD static constexpr void object_{}({}, {}) {} {{\n{}  }}\n",
+                    count_text(ir::count_object(f.code, where)), i == 0 ? 'a' : 'b', operand(i, text),
+                    pointer("T", "f", text), throws_nothing, text);
+  return out +
+         fmt::format(
+             "  // {}.\n  template <class T> MEETC_HD static constexpr {} pair({}, {}, {}, {}) {} {{\n{}  }}\n}};\n",
+             count_text(ir::count_pair(f.code)), f.result, operand(0, pair), pointer("const T", "fa", pair),
+             operand(1, pair), pointer("const T", "fb", pair), throws_nothing, pair);
 }
 
 std::string comment(const std::vector<std::string> &lines) {
@@ -84,9 +87,9 @@ std::string mixed_operands(const unit &u, const lower::kernel &k, const std::str
           fmt::format("const {}{}<T> &{}", identifier(kinds[i]->name), is_stored ? "" : "_blade", name));
       arguments.push_back(is_stored ? fmt::format("blade({})", name) : name);
     }
-    out +=
-        fmt::format("template <class T> MEETC_HD inline {} {}({}) {{\n  return {}({});\n}}\n", type,
-                    kernel_function(k.asked), join(parameters, ", "), kernel_function(k.asked), join(arguments, ", "));
+    out += fmt::format("template <class T> MEETC_HD constexpr {} {}({}) {} {{\n  return {}({});\n}}\n", type,
+                       kernel_function(k.asked), join(parameters, ", "), throws_nothing, kernel_function(k.asked),
+                       join(arguments, ", "));
   }
   return out;
 }
@@ -137,15 +140,14 @@ std::string formula_header(const unit &u, const lower::kernel &k) {
   std::string call;
   for (std::size_t i = 0; i < k.asked.kinds.size(); ++i)
     call += fmt::format("{}blade({})", i ? ", " : "", identifier(k.asked.names[i]));
-  body_names names;
-  names.fma = fma_of_formulas;
+  body_names names = names_of_formula();
   names.input = [&](int i) { return blade_names[static_cast<std::size_t>(i)]; };
   if (number) {
     names.result = [](std::size_t, const std::string &value) { return fmt::format("return {};", value); };
     const std::string code = body(f.from_blades, names, "  ");
     check_whole(f, code);
-    out += fmt::format("template <class T> MEETC_HD inline T {}({}) {{\n{}}}\n", kernel_function(k.asked),
-                       parameters("_blade", code), code);
+    out += fmt::format("template <class T> MEETC_HD constexpr T {}({}) {} {{\n{}}}\n", kernel_function(k.asked),
+                       parameters("_blade", code), throws_nothing, code);
   } else {
     names.result = [&](std::size_t i, const std::string &value) {
       return fmt::format("B.{} = {};", blade_field(f.result_names[i]), value);
@@ -154,11 +156,11 @@ std::string formula_header(const unit &u, const lower::kernel &k) {
     if (f.result_kind)
       for (const lower::basis_blade &b : u.kind(f.result_kind->name).blades)
         if (std::find(f.result_names.begin(), f.result_names.end(), b) == f.result_names.end())
-          rest += fmt::format("  B.{} = T(0);\n", blade_field(b));
+          rest += fmt::format("  B.{} = meetc::number<T>(0);\n", blade_field(b));
     const std::string code = body(f.from_blades, names, "  ");
     check_whole(f, code);
-    out += fmt::format("template <class T> MEETC_HD inline {} {}({}) {{\n  {} B;\n{}{}  return B;\n}}\n", type,
-                       kernel_function(k.asked), parameters("_blade", code), type, code, rest);
+    out += fmt::format("template <class T> MEETC_HD constexpr {} {}({}) {} {{\n  {} B;\n{}{}  return B;\n}}\n", type,
+                       kernel_function(k.asked), parameters("_blade", code), throws_nothing, type, code, rest);
     if (!f.prepared.results.empty()) {
       std::string indented;
       for (std::size_t from = 0; from < rest.size();) {
@@ -185,8 +187,8 @@ std::string formula_header(const unit &u, const lower::kernel &k) {
         "// {}.\n// {}\n",
         k.asked.text, count_text(ir::count(f.from_stored.nodes, f.from_stored.results)), error_text(f.from_stored));
     const std::string code = body(f.from_stored, names, "  ");
-    out += fmt::format("template <class T> MEETC_HD inline T {}({}) {{\n{}}}\n", kernel_function(k.asked),
-                       parameters("", code), code);
+    out += fmt::format("template <class T> MEETC_HD constexpr T {}({}) {} {{\n{}}}\n", kernel_function(k.asked),
+                       parameters("", code), throws_nothing, code);
     if (!f.for_pairs.results.empty())
       out += for_pairs(
           k, names,
@@ -197,8 +199,8 @@ std::string formula_header(const unit &u, const lower::kernel &k) {
     std::string all;
     for (const std::string &name : k.asked.names)
       all += identifier(name) + '.';
-    out += fmt::format("template <class T> MEETC_HD inline {} {}({}) {{\n  return {}({});\n}}\n", type,
-                       kernel_function(k.asked), parameters("", all), kernel_function(k.asked), call);
+    out += fmt::format("template <class T> MEETC_HD constexpr {} {}({}) {} {{\n  return {}({});\n}}\n", type,
+                       kernel_function(k.asked), parameters("", all), throws_nothing, kernel_function(k.asked), call);
   }
   return out + prepared + mixed_operands(u, k, type);
 }

@@ -28,17 +28,17 @@ std::string banner(const lang::scene &s, const std::string &what, const char *co
 }
 
 std::string open_header(const lang::scene &s, const std::string &name, const std::vector<std::string> &includes,
-                        const std::vector<std::string> &kernel_headers) {
+                        const std::vector<std::string> &kernel_headers, const char *first) {
   const std::string space = identifier(s.space);
   // The length keeps guards different where '_' could be the border between two names.
   std::string out = fmt::format("#ifndef MEETC_{2}_{0}_{1}_HPP\n#define MEETC_{2}_{0}_{1}_HPP\n\n#include "
-                                "<meetc/support.hpp>\n",
-                                space, name, space.size());
+                                "<meetc/{3}>\n",
+                                space, name, space.size(), first);
   for (const std::string &i : kernel_headers)
     out += fmt::format("#include <meetc/{}>\n", i);
   for (const std::string &i : includes)
     out += fmt::format("#include <{}/{}>\n", space, i);
-  return out + fmt::format("\nstatic_assert(MEETC_SUPPORT_VERSION == 15, \"meetc/support.hpp is of another version; "
+  return out + fmt::format("\nstatic_assert(MEETC_SUPPORT_VERSION == 16, \"meetc/support.hpp is of another version; "
                            "regenerate\");\n\nMEETC_NAMESPACE({}) {{\n\n",
                            space);
 }

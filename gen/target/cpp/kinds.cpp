@@ -43,7 +43,8 @@ std::string struct_text(const unit &u, const lower::lowered_kind &k) {
     out += fmt::format("  {} {};\n", type == "real" ? "T" : space + identifier(type) + "<T>", join(names, ", "));
   }
   out += "};\n";
-  out += fmt::format("template <class T> MEETC_HD inline void to_row(const {}<T> &k, T *out) {{\n", name);
+  out += fmt::format("template <class T> MEETC_HD constexpr void to_row(const {}<T> &k, T *out) {} {{\n", name,
+                     throws_nothing);
   int i = 0;
   for (const lower::stored_real &r : k.reals)
     out += fmt::format("  out[{}] = k.{};\n", i++, path_identifier(r.path));
@@ -62,8 +63,8 @@ std::string row_reader(const unit &u, const lower::lowered_kind &k) {
   int at = 0;
   const std::string members = members_in_row(u, k, at);
   return fmt::format(
-      "template <class T> MEETC_HD MEETC_INLINE constexpr {0}<T> {0}_in(const T *row) {{\n  return {{{1}}};\n}}\n",
-      identifier(k.name), members);
+      "template <class T> MEETC_HD MEETC_INLINE constexpr {0}<T> {0}_in(const T *row) {2} {{\n  return {{{1}}};\n}}\n",
+      identifier(k.name), members, throws_nothing);
 }
 
 std::string blade_struct(const lower::lowered_kind &k) {
@@ -85,17 +86,16 @@ std::string maker_text(const lower::lowered_kind &k) {
     std::string parameters;
     if (maker.name.empty()) {
       parameters = fmt::format("const {}<T> &k", identifier(k.name));
-      out +=
-          fmt::format("template <class T> MEETC_HD inline {}_blade<T> blade({}) {{\n", identifier(k.name), parameters);
+      out += fmt::format("template <class T> MEETC_HD constexpr {}_blade<T> blade({}) {} {{\n", identifier(k.name),
+                         parameters, throws_nothing);
     } else {
       for (const lang::field &f : maker.of)
         parameters += fmt::format("{}const {} &{}", parameters.empty() ? "" : ", ",
                                   f.type == "real" ? "T" : identifier(f.type) + "<T>", identifier(f.name));
-      out += fmt::format("template <class T> MEETC_HD inline {0}_blade<T> {1}({2}) {{\n", identifier(k.name),
-                         identifier(k.name + "_from_" + maker.name), parameters);
+      out += fmt::format("template <class T> MEETC_HD constexpr {0}_blade<T> {1}({2}) {3} {{\n", identifier(k.name),
+                         identifier(k.name + "_from_" + maker.name), parameters, throws_nothing);
     }
-    body_names names;
-    names.fma = fma_of_formulas;
+    body_names names = names_of_formula();
     names.input = [&](int i) {
       return (maker.name.empty() ? "k." : "") + path_identifier(maker.inputs[static_cast<std::size_t>(i)]);
     };
@@ -111,7 +111,7 @@ std::string maker_text(const lower::lowered_kind &k) {
 
 std::string kinds_header(const unit &u) {
   std::string out = banner(u.scene, "Kinds: the stored numbers, and the blades that they represent.");
-  out += open_header(u.scene, "file_kinds");
+  out += open_header(u.scene, "file_kinds", {}, {"environment/valid.hpp"}, formula_support);
   for (const lower::lowered_kind &k : u.kinds)
     out += struct_text(u, k);
   out += "// Reads kinds from rows.\nnamespace detail {\n";

@@ -58,4 +58,8 @@ std::string predicate_source(const emitted_predicate &p);
 // "triangle_triangle_info": the function in detail:: that returns a predicate's entry in the runtime's table.
 std::string info_function(const lower::kernel &k);
 
+// A stage's program as bytecode, for integers of any width (runtime/kernel/meetc/decide/bytecode.hpp): the members registers,
+// instruction_count and instruction_at of a stage. The first registers hold the inputs.
+std::string bytecode_text(const ir::program &p, int inputs);
+
 } // namespace meetc::target

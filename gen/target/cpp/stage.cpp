@@ -1,7 +1,6 @@
 // A stage as a struct, with its bounds and bytecode as separate structs in detail/.
 #include "gen/target/cpp/body.hpp"
 #include "gen/target/cpp/bounds.hpp"
-#include "gen/target/cpp/bytecode.hpp"
 #include "gen/target/cpp/names.hpp"
 #include "gen/target/cpp/predicate.hpp"
 

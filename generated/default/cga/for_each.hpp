@@ -8,7 +8,7 @@
 #include <cga/shapes.hpp>
 #include <cga/detail/columns.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 16, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 

@@ -3,9 +3,10 @@
 #ifndef MEETC_3_cga_file_kinds_HPP
 #define MEETC_3_cga_file_kinds_HPP
 
-#include <meetc/support.hpp>
+#include <meetc/number/formula.hpp>
+#include <meetc/environment/valid.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 16, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -13,7 +14,7 @@ MEETC_NAMESPACE(cga) {
 template <class T = float> struct point {
   T x, y, z;
 };
-template <class T> MEETC_HD inline void to_row(const point<T> &k, T *out) {
+template <class T> MEETC_HD constexpr void to_row(const point<T> &k, T *out) noexcept(meetc::is_built_in<T>) {
   out[0] = k.x;
   out[1] = k.y;
   out[2] = k.z;
@@ -29,7 +30,8 @@ template <class T> MEETC_HD inline bool valid(const point<T> &k) {
 template <class T = float> struct direction {
   T x, y, z;
 };
-template <class T> MEETC_HD inline void to_row(const direction<T> &k, T *out) {
+template <class T> MEETC_HD constexpr void to_row(const direction<T> &k,
+    T *out) noexcept(meetc::is_built_in<T>) {
   out[0] = k.x;
   out[1] = k.y;
   out[2] = k.z;
@@ -45,7 +47,8 @@ template <class T> MEETC_HD inline bool valid(const direction<T> &k) {
 template <class T = float> struct point_pair {
   point<T> p, q;
 };
-template <class T> MEETC_HD inline void to_row(const point_pair<T> &k, T *out) {
+template <class T> MEETC_HD constexpr void to_row(const point_pair<T> &k,
+    T *out) noexcept(meetc::is_built_in<T>) {
   out[0] = k.p.x;
   out[1] = k.p.y;
   out[2] = k.p.z;
@@ -68,7 +71,8 @@ template <class T> MEETC_HD inline bool valid(const point_pair<T> &k) {
 template <class T = float> struct flat_point {
   point<T> p;
 };
-template <class T> MEETC_HD inline void to_row(const flat_point<T> &k, T *out) {
+template <class T> MEETC_HD constexpr void to_row(const flat_point<T> &k,
+    T *out) noexcept(meetc::is_built_in<T>) {
   out[0] = k.p.x;
   out[1] = k.p.y;
   out[2] = k.p.z;
@@ -84,7 +88,7 @@ template <class T> MEETC_HD inline bool valid(const flat_point<T> &k) {
 template <class T = float> struct line {
   point<T> p, q;
 };
-template <class T> MEETC_HD inline void to_row(const line<T> &k, T *out) {
+template <class T> MEETC_HD constexpr void to_row(const line<T> &k, T *out) noexcept(meetc::is_built_in<T>) {
   out[0] = k.p.x;
   out[1] = k.p.y;
   out[2] = k.p.z;
@@ -108,7 +112,8 @@ template <class T = float> struct circle {
   direction<T> N;
   T r;
 };
-template <class T> MEETC_HD inline void to_row(const circle<T> &k, T *out) {
+template <class T> MEETC_HD constexpr void to_row(const circle<T> &k,
+    T *out) noexcept(meetc::is_built_in<T>) {
   out[0] = k.c.x;
   out[1] = k.c.y;
   out[2] = k.c.z;
@@ -133,7 +138,7 @@ template <class T = float> struct plane {
   direction<T> N;
   T d;
 };
-template <class T> MEETC_HD inline void to_row(const plane<T> &k, T *out) {
+template <class T> MEETC_HD constexpr void to_row(const plane<T> &k, T *out) noexcept(meetc::is_built_in<T>) {
   out[0] = k.N.x;
   out[1] = k.N.y;
   out[2] = k.N.z;
@@ -152,7 +157,8 @@ template <class T = float> struct sphere {
   point<T> c;
   T r;
 };
-template <class T> MEETC_HD inline void to_row(const sphere<T> &k, T *out) {
+template <class T> MEETC_HD constexpr void to_row(const sphere<T> &k,
+    T *out) noexcept(meetc::is_built_in<T>) {
   out[0] = k.c.x;
   out[1] = k.c.y;
   out[2] = k.c.z;
@@ -171,7 +177,8 @@ template <class T> MEETC_HD inline bool valid(const sphere<T> &k) {
 template <class T = float> struct segment {
   point<T> p, q;
 };
-template <class T> MEETC_HD inline void to_row(const segment<T> &k, T *out) {
+template <class T> MEETC_HD constexpr void to_row(const segment<T> &k,
+    T *out) noexcept(meetc::is_built_in<T>) {
   out[0] = k.p.x;
   out[1] = k.p.y;
   out[2] = k.p.z;
@@ -193,7 +200,8 @@ template <class T> MEETC_HD inline bool valid(const segment<T> &k) {
 template <class T = float> struct triangle {
   point<T> a, b, c;
 };
-template <class T> MEETC_HD inline void to_row(const triangle<T> &k, T *out) {
+template <class T> MEETC_HD constexpr void to_row(const triangle<T> &k,
+    T *out) noexcept(meetc::is_built_in<T>) {
   out[0] = k.a.x;
   out[1] = k.a.y;
   out[2] = k.a.z;
@@ -221,7 +229,7 @@ template <class T> MEETC_HD inline bool valid(const triangle<T> &k) {
 template <class T = float> struct box {
   point<T> low, high;
 };
-template <class T> MEETC_HD inline void to_row(const box<T> &k, T *out) {
+template <class T> MEETC_HD constexpr void to_row(const box<T> &k, T *out) noexcept(meetc::is_built_in<T>) {
   out[0] = k.low.x;
   out[1] = k.low.y;
   out[2] = k.low.z;
@@ -245,7 +253,8 @@ template <class T> MEETC_HD inline bool valid(const box<T> &k) {
 template <class T = float> struct triangle_pair {
   triangle<T> t, u;
 };
-template <class T> MEETC_HD inline void to_row(const triangle_pair<T> &k, T *out) {
+template <class T> MEETC_HD constexpr void to_row(const triangle_pair<T> &k,
+    T *out) noexcept(meetc::is_built_in<T>) {
   out[0] = k.t.a.x;
   out[1] = k.t.a.y;
   out[2] = k.t.a.z;
@@ -289,40 +298,40 @@ template <class T> MEETC_HD inline bool valid(const triangle_pair<T> &k) {
 
 // Reads kinds from rows.
 namespace detail {
-template <class T> MEETC_HD MEETC_INLINE constexpr point<T> point_in(const T *row) {
+template <class T> MEETC_HD MEETC_INLINE constexpr point<T> point_in(const T *row) noexcept(meetc::is_built_in<T>) {
   return {row[0], row[1], row[2]};
 }
-template <class T> MEETC_HD MEETC_INLINE constexpr direction<T> direction_in(const T *row) {
+template <class T> MEETC_HD MEETC_INLINE constexpr direction<T> direction_in(const T *row) noexcept(meetc::is_built_in<T>) {
   return {row[0], row[1], row[2]};
 }
-template <class T> MEETC_HD MEETC_INLINE constexpr point_pair<T> point_pair_in(const T *row) {
+template <class T> MEETC_HD MEETC_INLINE constexpr point_pair<T> point_pair_in(const T *row) noexcept(meetc::is_built_in<T>) {
   return {{row[0], row[1], row[2]}, {row[3], row[4], row[5]}};
 }
-template <class T> MEETC_HD MEETC_INLINE constexpr flat_point<T> flat_point_in(const T *row) {
+template <class T> MEETC_HD MEETC_INLINE constexpr flat_point<T> flat_point_in(const T *row) noexcept(meetc::is_built_in<T>) {
   return {{row[0], row[1], row[2]}};
 }
-template <class T> MEETC_HD MEETC_INLINE constexpr line<T> line_in(const T *row) {
+template <class T> MEETC_HD MEETC_INLINE constexpr line<T> line_in(const T *row) noexcept(meetc::is_built_in<T>) {
   return {{row[0], row[1], row[2]}, {row[3], row[4], row[5]}};
 }
-template <class T> MEETC_HD MEETC_INLINE constexpr circle<T> circle_in(const T *row) {
+template <class T> MEETC_HD MEETC_INLINE constexpr circle<T> circle_in(const T *row) noexcept(meetc::is_built_in<T>) {
   return {{row[0], row[1], row[2]}, {row[3], row[4], row[5]}, row[6]};
 }
-template <class T> MEETC_HD MEETC_INLINE constexpr plane<T> plane_in(const T *row) {
+template <class T> MEETC_HD MEETC_INLINE constexpr plane<T> plane_in(const T *row) noexcept(meetc::is_built_in<T>) {
   return {{row[0], row[1], row[2]}, row[3]};
 }
-template <class T> MEETC_HD MEETC_INLINE constexpr sphere<T> sphere_in(const T *row) {
+template <class T> MEETC_HD MEETC_INLINE constexpr sphere<T> sphere_in(const T *row) noexcept(meetc::is_built_in<T>) {
   return {{row[0], row[1], row[2]}, row[3]};
 }
-template <class T> MEETC_HD MEETC_INLINE constexpr segment<T> segment_in(const T *row) {
+template <class T> MEETC_HD MEETC_INLINE constexpr segment<T> segment_in(const T *row) noexcept(meetc::is_built_in<T>) {
   return {{row[0], row[1], row[2]}, {row[3], row[4], row[5]}};
 }
-template <class T> MEETC_HD MEETC_INLINE constexpr triangle<T> triangle_in(const T *row) {
+template <class T> MEETC_HD MEETC_INLINE constexpr triangle<T> triangle_in(const T *row) noexcept(meetc::is_built_in<T>) {
   return {{row[0], row[1], row[2]}, {row[3], row[4], row[5]}, {row[6], row[7], row[8]}};
 }
-template <class T> MEETC_HD MEETC_INLINE constexpr box<T> box_in(const T *row) {
+template <class T> MEETC_HD MEETC_INLINE constexpr box<T> box_in(const T *row) noexcept(meetc::is_built_in<T>) {
   return {{row[0], row[1], row[2]}, {row[3], row[4], row[5]}};
 }
-template <class T> MEETC_HD MEETC_INLINE constexpr triangle_pair<T> triangle_pair_in(const T *row) {
+template <class T> MEETC_HD MEETC_INLINE constexpr triangle_pair<T> triangle_pair_in(const T *row) noexcept(meetc::is_built_in<T>) {
   return {{{row[0], row[1], row[2]}, {row[3], row[4], row[5]}, {row[6], row[7], row[8]}}, {{row[9], row[10],
       row[11]}, {row[12], row[13], row[14]}, {row[15], row[16], row[17]}}};
 }
@@ -334,13 +343,14 @@ template <class T = float> struct point_blade {
 };
 // 2*(x*e1 + y*e2 + z*e3) + (x*x + y*y + z*z)*n - nb
 // 3 multiplications, 2 additions, 3 scalings by powers of two. Within ((1 + u)^3 - 1) M of the exact values.
-template <class T> MEETC_HD inline point_blade<T> blade(const point<T> &k) {
+template <class T> MEETC_HD constexpr point_blade<T> blade(const point<T> &k) noexcept(meetc::is_built_in<T>) {
   point_blade<T> B;
-  B.e1 = k.x * T(2);
-  B.e2 = T(2) * k.y;
-  B.e3 = T(2) * k.z;
-  B.n = meetc::multiply_add(k.z, k.z, meetc::multiply_add(k.y, k.y, k.x * k.x));
-  B.nb = T(-1);
+  const T t0 = meetc::multiply_add<T>(k.z, k.z, meetc::multiply_add<T>(k.y, k.y, k.x * k.x));
+  B.e1 = k.x * meetc::number<T>(2);
+  B.e2 = meetc::number<T>(2) * k.y;
+  B.e3 = meetc::number<T>(2) * k.z;
+  B.n = t0;
+  B.nb = meetc::number<T>(-1);
   return B;
 }
 
@@ -350,24 +360,24 @@ template <class T = float> struct point_pair_blade {
 };
 // p ^ q
 // 18 multiplications, 14 additions, 6 scalings by powers of two, 3 negations. Within ((1 + u)^5 - 1) M of the exact values.
-template <class T> MEETC_HD inline point_pair_blade<T> blade(const point_pair<T> &k) {
+template <class T> MEETC_HD constexpr point_pair_blade<T> blade(const point_pair<T> &k) noexcept(meetc::is_built_in<T>) {
   point_pair_blade<T> B;
-  const T t0 = k.q.x * T(2);
-  const T t1 = T(2) * k.q.y;
-  const T t2 = T(2) * k.q.z;
-  const T t3 = meetc::multiply_add(k.q.z, k.q.z, meetc::multiply_add(k.q.y, k.q.y, k.q.x * k.q.x));
-  const T t4 = T(2) * k.p.x;
-  const T t5 = T(2) * k.p.y;
-  const T t6 = T(2) * k.p.z;
-  const T t7 = meetc::multiply_add(k.p.z, k.p.z, meetc::multiply_add(k.p.y, k.p.y, k.p.x * k.p.x));
-  B.e1_e2 = meetc::multiply_add(-t0, t5, t1 * t4);
-  B.e1_e3 = meetc::multiply_add(-t0, t6, t2 * t4);
-  B.e1_n = meetc::multiply_add(-t0, t7, t3 * t4);
+  const T t0 = k.q.x * meetc::number<T>(2);
+  const T t1 = meetc::number<T>(2) * k.q.y;
+  const T t2 = meetc::number<T>(2) * k.q.z;
+  const T t3 = meetc::multiply_add<T>(k.q.z, k.q.z, meetc::multiply_add<T>(k.q.y, k.q.y, k.q.x * k.q.x));
+  const T t4 = meetc::number<T>(2) * k.p.x;
+  const T t5 = meetc::number<T>(2) * k.p.y;
+  const T t6 = meetc::number<T>(2) * k.p.z;
+  const T t7 = meetc::multiply_add<T>(k.p.z, k.p.z, meetc::multiply_add<T>(k.p.y, k.p.y, k.p.x * k.p.x));
+  B.e1_e2 = meetc::multiply_add<T>(-t0, t5, t1 * t4);
+  B.e1_e3 = meetc::multiply_add<T>(-t0, t6, t2 * t4);
+  B.e1_n = meetc::multiply_add<T>(-t0, t7, t3 * t4);
   B.e1_nb = t0 - t4;
-  B.e2_e3 = meetc::multiply_add(-t1, t6, t2 * t5);
-  B.e2_n = meetc::multiply_add(-t1, t7, t3 * t5);
+  B.e2_e3 = meetc::multiply_add<T>(-t1, t6, t2 * t5);
+  B.e2_n = meetc::multiply_add<T>(-t1, t7, t3 * t5);
   B.e2_nb = t1 - t5;
-  B.e3_n = meetc::multiply_add(-t2, t7, t3 * t6);
+  B.e3_n = meetc::multiply_add<T>(-t2, t7, t3 * t6);
   B.e3_nb = t2 - t6;
   B.n_nb = t3 - t7;
   return B;
@@ -379,12 +389,12 @@ template <class T = float> struct flat_point_blade {
 };
 // p ^ n
 // 0 multiplications, 0 additions, 3 scalings by powers of two. These are the exact values.
-template <class T> MEETC_HD inline flat_point_blade<T> blade(const flat_point<T> &k) {
+template <class T> MEETC_HD constexpr flat_point_blade<T> blade(const flat_point<T> &k) noexcept(meetc::is_built_in<T>) {
   flat_point_blade<T> B;
-  B.e1_n = k.p.x * T(2);
-  B.e2_n = T(2) * k.p.y;
-  B.e3_n = T(2) * k.p.z;
-  B.n_nb = T(1);
+  B.e1_n = k.p.x * meetc::number<T>(2);
+  B.e2_n = meetc::number<T>(2) * k.p.y;
+  B.e3_n = meetc::number<T>(2) * k.p.z;
+  B.n_nb = meetc::number<T>(1);
   return B;
 }
 
@@ -394,27 +404,30 @@ template <class T = float> struct line_blade {
 };
 // p ^ q ^ n
 // 6 multiplications, 6 additions, 6 scalings by powers of two, 2 negations. Within ((1 + u)^2 - 1) M of the exact values.
-template <class T> MEETC_HD inline line_blade<T> blade(const line<T> &k) {
+template <class T> MEETC_HD constexpr line_blade<T> blade(const line<T> &k) noexcept(meetc::is_built_in<T>) {
   line_blade<T> B;
-  B.e1_e2_n = meetc::multiply_add(-k.q.x, k.p.y, k.q.y * k.p.x) * T(4);
-  B.e1_e3_n = T(4) * meetc::multiply_add(-k.q.x, k.p.z, k.q.z * k.p.x);
-  B.e1_n_nb = T(2) * (k.p.x - k.q.x);
-  B.e2_e3_n = T(4) * meetc::multiply_add(-k.q.y, k.p.z, k.q.z * k.p.y);
-  B.e2_n_nb = T(2) * (k.p.y - k.q.y);
-  B.e3_n_nb = T(2) * (k.p.z - k.q.z);
+  const T t0 = meetc::multiply_add<T>(-k.q.x, k.p.y, k.q.y * k.p.x) * meetc::number<T>(4);
+  const T t1 = meetc::number<T>(4) * meetc::multiply_add<T>(-k.q.x, k.p.z, k.q.z * k.p.x);
+  const T t2 = meetc::number<T>(4) * meetc::multiply_add<T>(-k.q.y, k.p.z, k.q.z * k.p.y);
+  B.e1_e2_n = t0;
+  B.e1_e3_n = t1;
+  B.e1_n_nb = meetc::number<T>(2) * (k.p.x - k.q.x);
+  B.e2_e3_n = t2;
+  B.e2_n_nb = meetc::number<T>(2) * (k.p.y - k.q.y);
+  B.e3_n_nb = meetc::number<T>(2) * (k.p.z - k.q.z);
   return B;
 }
 // 2*(p ^ v ^ n)
 // 6 multiplications, 3 additions, 6 scalings by powers of two, 5 negations. Within ((1 + u)^2 - 1) M of the exact values.
-template <class T> MEETC_HD inline line_blade<T> line_from_direction(const point<T> &p,
-    const direction<T> &v) {
+template <class T> MEETC_HD constexpr line_blade<T> line_from_direction(const point<T> &p,
+    const direction<T> &v) noexcept(meetc::is_built_in<T>) {
   line_blade<T> B;
-  B.e1_e2_n = meetc::multiply_add(-v.x, p.y, v.y * p.x) * T(4);
-  B.e1_e3_n = T(4) * meetc::multiply_add(-v.x, p.z, v.z * p.x);
-  B.e1_n_nb = -(v.x * T(2));
-  B.e2_e3_n = T(4) * meetc::multiply_add(-v.y, p.z, v.z * p.y);
-  B.e2_n_nb = -(v.y * T(2));
-  B.e3_n_nb = -(v.z * T(2));
+  B.e1_e2_n = meetc::multiply_add<T>(-v.x, p.y, v.y * p.x) * meetc::number<T>(4);
+  B.e1_e3_n = meetc::number<T>(4) * meetc::multiply_add<T>(-v.x, p.z, v.z * p.x);
+  B.e1_n_nb = -(v.x * meetc::number<T>(2));
+  B.e2_e3_n = meetc::number<T>(4) * meetc::multiply_add<T>(-v.y, p.z, v.z * p.y);
+  B.e2_n_nb = -(v.y * meetc::number<T>(2));
+  B.e3_n_nb = -(v.z * meetc::number<T>(2));
   return B;
 }
 
@@ -424,63 +437,67 @@ template <class T = float> struct circle_blade {
 };
 // -I*((c - r*r*n) ^ (N + (N | c)*n/2))
 // 19 multiplications, 11 additions, 7 scalings by powers of two, 7 negations. Within ((1 + u)^6 - 1) M of the exact values.
-template <class T> MEETC_HD inline circle_blade<T> blade(const circle<T> &k) {
+template <class T> MEETC_HD constexpr circle_blade<T> blade(const circle<T> &k) noexcept(meetc::is_built_in<T>) {
   circle_blade<T> B;
-  const T t0 = meetc::multiply_add(k.N.z, k.c.z, meetc::multiply_add(k.N.y, k.c.y, k.N.x * k.c.x));
-  const T t1 = k.c.x * T(2);
-  const T t2 = k.c.y * T(2);
-  const T t3 = k.c.z * T(2);
-  const T t4 = meetc::multiply_add(k.c.z, k.c.z, meetc::multiply_add(k.c.y, k.c.y, k.c.x * k.c.x));
-  const T t5 = meetc::multiply_add(-k.r, k.r, t4);
-  B.e1_e2_e3 = t0 * T(2);
-  B.e1_e2_n = meetc::multiply_add(-k.N.z, t5, t0 * t3);
+  const T t0 = meetc::multiply_add<T>(k.N.z, k.c.z, meetc::multiply_add<T>(k.N.y, k.c.y, k.N.x * k.c.x));
+  const T t1 = k.c.x * meetc::number<T>(2);
+  const T t2 = k.c.y * meetc::number<T>(2);
+  const T t3 = k.c.z * meetc::number<T>(2);
+  const T t4 = meetc::multiply_add<T>(k.c.z, k.c.z, meetc::multiply_add<T>(k.c.y, k.c.y, k.c.x * k.c.x));
+  const T t5 = meetc::multiply_add<T>(-k.r, k.r, t4);
+  B.e1_e2_e3 = t0 * meetc::number<T>(2);
+  B.e1_e2_n = meetc::multiply_add<T>(-k.N.z, t5, t0 * t3);
   B.e1_e2_nb = -k.N.z;
-  B.e1_e3_n = -meetc::multiply_add(-k.N.y, t5, t0 * t2);
+  B.e1_e3_n = -meetc::multiply_add<T>(-k.N.y, t5, t0 * t2);
   B.e1_e3_nb = k.N.y;
-  B.e1_n_nb = -(meetc::multiply_add(-k.N.y, t3, k.N.z * t2) * meetc::ratio<T>(1, 2));
-  B.e2_e3_n = meetc::multiply_add(-k.N.x, t5, t0 * t1);
+  B.e1_n_nb = -(meetc::multiply_add<T>(-k.N.y, t3, k.N.z * t2) * meetc::ratio<T>(1, 2));
+  B.e2_e3_n = meetc::multiply_add<T>(-k.N.x, t5, t0 * t1);
   B.e2_e3_nb = -k.N.x;
-  B.e2_n_nb = meetc::multiply_add(-k.N.x, t3, k.N.z * t1) * meetc::ratio<T>(1, 2);
-  B.e3_n_nb = -(meetc::multiply_add(-k.N.x, t2, k.N.y * t1) * meetc::ratio<T>(1, 2));
+  B.e2_n_nb = meetc::multiply_add<T>(-k.N.x, t3, k.N.z * t1) * meetc::ratio<T>(1, 2);
+  B.e3_n_nb = -(meetc::multiply_add<T>(-k.N.x, t2, k.N.y * t1) * meetc::ratio<T>(1, 2));
   return B;
 }
 // a ^ b ^ c
 // 45 multiplications, 36 additions, 9 scalings by powers of two, 11 negations. Within ((1 + u)^8 - 1) M of the exact values.
-template <class T> MEETC_HD inline circle_blade<T> circle_from_points(const point<T> &a, const point<T> &b,
-    const point<T> &c) {
+template <class T> MEETC_HD constexpr circle_blade<T> circle_from_points(const point<T> &a, const point<T> &b,
+    const point<T> &c) noexcept(meetc::is_built_in<T>) {
   circle_blade<T> B;
-  const T t0 = c.x * T(2);
-  const T t1 = T(2) * c.y;
-  const T t2 = T(2) * c.z;
-  const T t3 = meetc::multiply_add(c.z, c.z, meetc::multiply_add(c.y, c.y, c.x * c.x));
-  const T t4 = T(2) * b.x;
-  const T t5 = T(2) * b.y;
-  const T t6 = T(2) * b.z;
-  const T t7 = meetc::multiply_add(b.z, b.z, meetc::multiply_add(b.y, b.y, b.x * b.x));
-  const T t8 = T(2) * a.x;
-  const T t9 = T(2) * a.y;
-  const T t10 = T(2) * a.z;
-  const T t11 = meetc::multiply_add(a.z, a.z, meetc::multiply_add(a.y, a.y, a.x * a.x));
-  const T t12 = meetc::multiply_add(-t4, t9, t5 * t8);
-  const T t13 = meetc::multiply_add(-t4, t10, t6 * t8);
-  const T t14 = meetc::multiply_add(-t5, t10, t6 * t9);
-  const T t15 = meetc::multiply_add(-t4, t11, t7 * t8);
-  const T t16 = meetc::multiply_add(-t5, t11, t7 * t9);
-  const T t17 = meetc::multiply_add(-t6, t11, t7 * t10);
+  const T t0 = c.x * meetc::number<T>(2);
+  const T t1 = meetc::number<T>(2) * c.y;
+  const T t2 = meetc::number<T>(2) * c.z;
+  const T t3 = meetc::multiply_add<T>(c.z, c.z, meetc::multiply_add<T>(c.y, c.y, c.x * c.x));
+  const T t4 = meetc::number<T>(2) * b.x;
+  const T t5 = meetc::number<T>(2) * b.y;
+  const T t6 = meetc::number<T>(2) * b.z;
+  const T t7 = meetc::multiply_add<T>(b.z, b.z, meetc::multiply_add<T>(b.y, b.y, b.x * b.x));
+  const T t8 = meetc::number<T>(2) * a.x;
+  const T t9 = meetc::number<T>(2) * a.y;
+  const T t10 = meetc::number<T>(2) * a.z;
+  const T t11 = meetc::multiply_add<T>(a.z, a.z, meetc::multiply_add<T>(a.y, a.y, a.x * a.x));
+  const T t12 = meetc::multiply_add<T>(-t4, t9, t5 * t8);
+  const T t13 = meetc::multiply_add<T>(-t4, t10, t6 * t8);
+  const T t14 = meetc::multiply_add<T>(-t5, t10, t6 * t9);
+  const T t15 = meetc::multiply_add<T>(-t4, t11, t7 * t8);
+  const T t16 = meetc::multiply_add<T>(-t5, t11, t7 * t9);
+  const T t17 = meetc::multiply_add<T>(-t6, t11, t7 * t10);
   const T t18 = t4 - t8;
   const T t19 = t5 - t9;
   const T t20 = t6 - t10;
   const T t21 = t7 - t11;
-  B.e1_e2_e3 = meetc::multiply_add(t0, t14, meetc::multiply_add(-t1, t13, t2 * t12));
-  B.e1_e2_n = meetc::multiply_add(t0, t16, meetc::multiply_add(-t1, t15, t3 * t12));
-  B.e1_e2_nb = meetc::multiply_add(t0, t19, -meetc::multiply_add(t1, t18, t12));
-  B.e1_e3_n = meetc::multiply_add(t0, t17, meetc::multiply_add(-t2, t15, t3 * t13));
-  B.e1_e3_nb = meetc::multiply_add(t0, t20, -meetc::multiply_add(t2, t18, t13));
-  B.e1_n_nb = meetc::multiply_add(t0, t21, -meetc::multiply_add(t3, t18, t15));
-  B.e2_e3_n = meetc::multiply_add(t1, t17, meetc::multiply_add(-t2, t16, t3 * t14));
-  B.e2_e3_nb = meetc::multiply_add(t1, t20, -meetc::multiply_add(t2, t19, t14));
-  B.e2_n_nb = meetc::multiply_add(t1, t21, -meetc::multiply_add(t3, t19, t16));
-  B.e3_n_nb = meetc::multiply_add(t2, t21, -meetc::multiply_add(t3, t20, t17));
+  const T t22 = meetc::multiply_add<T>(t0, t14, meetc::multiply_add<T>(-t1, t13, t2 * t12));
+  const T t23 = meetc::multiply_add<T>(t0, t16, meetc::multiply_add<T>(-t1, t15, t3 * t12));
+  const T t24 = meetc::multiply_add<T>(t0, t17, meetc::multiply_add<T>(-t2, t15, t3 * t13));
+  const T t25 = meetc::multiply_add<T>(t1, t17, meetc::multiply_add<T>(-t2, t16, t3 * t14));
+  B.e1_e2_e3 = t22;
+  B.e1_e2_n = t23;
+  B.e1_e2_nb = meetc::multiply_add<T>(t0, t19, -meetc::multiply_add<T>(t1, t18, t12));
+  B.e1_e3_n = t24;
+  B.e1_e3_nb = meetc::multiply_add<T>(t0, t20, -meetc::multiply_add<T>(t2, t18, t13));
+  B.e1_n_nb = meetc::multiply_add<T>(t0, t21, -meetc::multiply_add<T>(t3, t18, t15));
+  B.e2_e3_n = t25;
+  B.e2_e3_nb = meetc::multiply_add<T>(t1, t20, -meetc::multiply_add<T>(t2, t19, t14));
+  B.e2_n_nb = meetc::multiply_add<T>(t1, t21, -meetc::multiply_add<T>(t3, t19, t16));
+  B.e3_n_nb = meetc::multiply_add<T>(t2, t21, -meetc::multiply_add<T>(t3, t20, t17));
   return B;
 }
 
@@ -490,7 +507,7 @@ template <class T = float> struct plane_blade {
 };
 // -I*(N + d*n)
 // 0 multiplications, 0 additions, 3 scalings by powers of two, 1 negation. Within ((1 + u)^1 - 1) M of the exact values.
-template <class T> MEETC_HD inline plane_blade<T> blade(const plane<T> &k) {
+template <class T> MEETC_HD constexpr plane_blade<T> blade(const plane<T> &k) noexcept(meetc::is_built_in<T>) {
   plane_blade<T> B;
   B.e1_e2_e3_n = k.d;
   B.e1_e2_n_nb = k.N.z * meetc::ratio<T>(1, 2);
@@ -500,28 +517,29 @@ template <class T> MEETC_HD inline plane_blade<T> blade(const plane<T> &k) {
 }
 // a ^ b ^ c ^ n
 // 15 multiplications, 14 additions, 9 scalings by powers of two, 9 negations. Within ((1 + u)^5 - 1) M of the exact values.
-template <class T> MEETC_HD inline plane_blade<T> plane_from_points(const point<T> &a, const point<T> &b,
-    const point<T> &c) {
+template <class T> MEETC_HD constexpr plane_blade<T> plane_from_points(const point<T> &a, const point<T> &b,
+    const point<T> &c) noexcept(meetc::is_built_in<T>) {
   plane_blade<T> B;
-  const T t0 = c.x * T(2);
-  const T t1 = T(2) * c.y;
-  const T t2 = T(2) * c.z;
-  const T t3 = T(2) * b.x;
-  const T t4 = T(2) * b.y;
-  const T t5 = T(2) * b.z;
-  const T t6 = T(2) * a.x;
-  const T t7 = T(2) * a.y;
-  const T t8 = T(2) * a.z;
-  const T t9 = meetc::multiply_add(-t3, t7, t4 * t6);
-  const T t10 = meetc::multiply_add(-t3, t8, t5 * t6);
-  const T t11 = meetc::multiply_add(-t4, t8, t5 * t7);
+  const T t0 = c.x * meetc::number<T>(2);
+  const T t1 = meetc::number<T>(2) * c.y;
+  const T t2 = meetc::number<T>(2) * c.z;
+  const T t3 = meetc::number<T>(2) * b.x;
+  const T t4 = meetc::number<T>(2) * b.y;
+  const T t5 = meetc::number<T>(2) * b.z;
+  const T t6 = meetc::number<T>(2) * a.x;
+  const T t7 = meetc::number<T>(2) * a.y;
+  const T t8 = meetc::number<T>(2) * a.z;
+  const T t9 = meetc::multiply_add<T>(-t3, t7, t4 * t6);
+  const T t10 = meetc::multiply_add<T>(-t3, t8, t5 * t6);
+  const T t11 = meetc::multiply_add<T>(-t4, t8, t5 * t7);
   const T t12 = t3 - t6;
   const T t13 = t4 - t7;
   const T t14 = t5 - t8;
-  B.e1_e2_e3_n = meetc::multiply_add(t0, t11, meetc::multiply_add(-t1, t10, t2 * t9));
-  B.e1_e2_n_nb = -meetc::multiply_add(t0, t13, -meetc::multiply_add(t1, t12, t9));
-  B.e1_e3_n_nb = -meetc::multiply_add(t0, t14, -meetc::multiply_add(t2, t12, t10));
-  B.e2_e3_n_nb = -meetc::multiply_add(t1, t14, -meetc::multiply_add(t2, t13, t11));
+  const T t15 = meetc::multiply_add<T>(t0, t11, meetc::multiply_add<T>(-t1, t10, t2 * t9));
+  B.e1_e2_e3_n = t15;
+  B.e1_e2_n_nb = -meetc::multiply_add<T>(t0, t13, -meetc::multiply_add<T>(t1, t12, t9));
+  B.e1_e3_n_nb = -meetc::multiply_add<T>(t0, t14, -meetc::multiply_add<T>(t2, t12, t10));
+  B.e2_e3_n_nb = -meetc::multiply_add<T>(t1, t14, -meetc::multiply_add<T>(t2, t13, t11));
   return B;
 }
 
@@ -531,11 +549,11 @@ template <class T = float> struct sphere_blade {
 };
 // -I*(c - r*r*n)
 // 4 multiplications, 3 additions, 2 negations. Within ((1 + u)^4 - 1) M of the exact values.
-template <class T> MEETC_HD inline sphere_blade<T> blade(const sphere<T> &k) {
+template <class T> MEETC_HD constexpr sphere_blade<T> blade(const sphere<T> &k) noexcept(meetc::is_built_in<T>) {
   sphere_blade<T> B;
-  const T t0 = meetc::multiply_add(k.c.z, k.c.z, meetc::multiply_add(k.c.y, k.c.y, k.c.x * k.c.x));
-  B.e1_e2_e3_n = meetc::multiply_add(-k.r, k.r, t0);
-  B.e1_e2_e3_nb = T(1);
+  const T t0 = meetc::multiply_add<T>(k.c.z, k.c.z, meetc::multiply_add<T>(k.c.y, k.c.y, k.c.x * k.c.x));
+  B.e1_e2_e3_n = meetc::multiply_add<T>(-k.r, k.r, t0);
+  B.e1_e2_e3_nb = meetc::number<T>(1);
   B.e1_e2_n_nb = k.c.z;
   B.e1_e3_n_nb = -k.c.y;
   B.e2_e3_n_nb = k.c.x;
@@ -543,56 +561,55 @@ template <class T> MEETC_HD inline sphere_blade<T> blade(const sphere<T> &k) {
 }
 // a ^ b ^ c ^ d
 // 64 multiplications, 53 additions, 12 scalings by powers of two, 18 negations. Within ((1 + u)^12 - 1) M of the exact values.
-template <class T> MEETC_HD inline sphere_blade<T> sphere_from_points(const point<T> &a, const point<T> &b,
-    const point<T> &c, const point<T> &d) {
+template <class T> MEETC_HD constexpr sphere_blade<T> sphere_from_points(const point<T> &a, const point<T> &b,
+    const point<T> &c, const point<T> &d) noexcept(meetc::is_built_in<T>) {
   sphere_blade<T> B;
-  const T t0 = d.x * T(2);
-  const T t1 = T(2) * d.y;
-  const T t2 = T(2) * d.z;
-  const T t3 = meetc::multiply_add(d.z, d.z, meetc::multiply_add(d.y, d.y, d.x * d.x));
-  const T t4 = T(2) * c.x;
-  const T t5 = T(2) * c.y;
-  const T t6 = T(2) * c.z;
-  const T t7 = meetc::multiply_add(c.z, c.z, meetc::multiply_add(c.y, c.y, c.x * c.x));
-  const T t8 = T(2) * b.x;
-  const T t9 = T(2) * b.y;
-  const T t10 = T(2) * b.z;
-  const T t11 = meetc::multiply_add(b.z, b.z, meetc::multiply_add(b.y, b.y, b.x * b.x));
-  const T t12 = T(2) * a.x;
-  const T t13 = T(2) * a.y;
-  const T t14 = T(2) * a.z;
-  const T t15 = meetc::multiply_add(a.z, a.z, meetc::multiply_add(a.y, a.y, a.x * a.x));
-  const T t16 = meetc::multiply_add(-t8, t13, t9 * t12);
-  const T t17 = meetc::multiply_add(-t8, t14, t10 * t12);
-  const T t18 = meetc::multiply_add(-t9, t14, t10 * t13);
-  const T t19 = meetc::multiply_add(-t8, t15, t11 * t12);
-  const T t20 = meetc::multiply_add(-t9, t15, t11 * t13);
-  const T t21 = meetc::multiply_add(-t10, t15, t11 * t14);
+  const T t0 = d.x * meetc::number<T>(2);
+  const T t1 = meetc::number<T>(2) * d.y;
+  const T t2 = meetc::number<T>(2) * d.z;
+  const T t3 = meetc::multiply_add<T>(d.z, d.z, meetc::multiply_add<T>(d.y, d.y, d.x * d.x));
+  const T t4 = meetc::number<T>(2) * c.x;
+  const T t5 = meetc::number<T>(2) * c.y;
+  const T t6 = meetc::number<T>(2) * c.z;
+  const T t7 = meetc::multiply_add<T>(c.z, c.z, meetc::multiply_add<T>(c.y, c.y, c.x * c.x));
+  const T t8 = meetc::number<T>(2) * b.x;
+  const T t9 = meetc::number<T>(2) * b.y;
+  const T t10 = meetc::number<T>(2) * b.z;
+  const T t11 = meetc::multiply_add<T>(b.z, b.z, meetc::multiply_add<T>(b.y, b.y, b.x * b.x));
+  const T t12 = meetc::number<T>(2) * a.x;
+  const T t13 = meetc::number<T>(2) * a.y;
+  const T t14 = meetc::number<T>(2) * a.z;
+  const T t15 = meetc::multiply_add<T>(a.z, a.z, meetc::multiply_add<T>(a.y, a.y, a.x * a.x));
+  const T t16 = meetc::multiply_add<T>(-t8, t13, t9 * t12);
+  const T t17 = meetc::multiply_add<T>(-t8, t14, t10 * t12);
+  const T t18 = meetc::multiply_add<T>(-t9, t14, t10 * t13);
+  const T t19 = meetc::multiply_add<T>(-t8, t15, t11 * t12);
+  const T t20 = meetc::multiply_add<T>(-t9, t15, t11 * t13);
+  const T t21 = meetc::multiply_add<T>(-t10, t15, t11 * t14);
   const T t22 = t8 - t12;
   const T t23 = t9 - t13;
   const T t24 = t10 - t14;
   const T t25 = t11 - t15;
-  const T t26 = meetc::multiply_add(t4, t18, meetc::multiply_add(-t5, t17, t6 * t16));
-  const T t27 = meetc::multiply_add(t4, t20, meetc::multiply_add(-t5, t19, t7 * t16));
-  const T t28 = meetc::multiply_add(t4, t21, meetc::multiply_add(-t6, t19, t7 * t17));
-  const T t29 = meetc::multiply_add(t5, t21, meetc::multiply_add(-t6, t20, t7 * t18));
-  const T t30 = meetc::multiply_add(t4, t23, -meetc::multiply_add(t5, t22, t16));
-  const T t31 = meetc::multiply_add(t4, t24, -meetc::multiply_add(t6, t22, t17));
-  const T t32 = meetc::multiply_add(t5, t24, -meetc::multiply_add(t6, t23, t18));
-  const T t33 = meetc::multiply_add(t4, t25, -meetc::multiply_add(t7, t22, t19));
-  const T t34 = meetc::multiply_add(t5, t25, -meetc::multiply_add(t7, t23, t20));
-  const T t35 = meetc::multiply_add(t6, t25, -meetc::multiply_add(t7, t24, t21));
-  const T t36 = meetc::multiply_add(-t0, t29, meetc::multiply_add(t1, t28, meetc::multiply_add(-t2, t27,
-      t3 * t26)));
-  const T t37 = meetc::multiply_add(-t0, t32, meetc::multiply_add(t1, t31, -meetc::multiply_add(t2, t30,
-      t26)));
-  const T t38 = meetc::multiply_add(-t0, t34, meetc::multiply_add(t1, t33, -meetc::multiply_add(t3, t30,
-      t27)));
-  const T t39 = meetc::multiply_add(-t0, t35, meetc::multiply_add(t2, t33, -meetc::multiply_add(t3, t31,
-      t28)));
-  const T t40 = meetc::multiply_add(-t1, t35, meetc::multiply_add(t2, t34, -meetc::multiply_add(t3, t32,
-      t29)));
-  B.e1_e2_e3_n = t36;
+  const T t26 = meetc::multiply_add<T>(t4, t18, meetc::multiply_add<T>(-t5, t17, t6 * t16));
+  const T t27 = meetc::multiply_add<T>(t4, t20, meetc::multiply_add<T>(-t5, t19, t7 * t16));
+  const T t28 = meetc::multiply_add<T>(t4, t21, meetc::multiply_add<T>(-t6, t19, t7 * t17));
+  const T t29 = meetc::multiply_add<T>(t5, t21, meetc::multiply_add<T>(-t6, t20, t7 * t18));
+  const T t30 = meetc::multiply_add<T>(t4, t23, -meetc::multiply_add<T>(t5, t22, t16));
+  const T t31 = meetc::multiply_add<T>(t4, t24, -meetc::multiply_add<T>(t6, t22, t17));
+  const T t32 = meetc::multiply_add<T>(t5, t24, -meetc::multiply_add<T>(t6, t23, t18));
+  const T t33 = meetc::multiply_add<T>(t4, t25, -meetc::multiply_add<T>(t7, t22, t19));
+  const T t34 = meetc::multiply_add<T>(t5, t25, -meetc::multiply_add<T>(t7, t23, t20));
+  const T t35 = meetc::multiply_add<T>(t6, t25, -meetc::multiply_add<T>(t7, t24, t21));
+  const T t36 = meetc::multiply_add<T>(t1, t28, meetc::multiply_add<T>(-t2, t27, t3 * t26));
+  const T t37 = meetc::multiply_add<T>(-t0, t32, meetc::multiply_add<T>(t1, t31, -meetc::multiply_add<T>(t2,
+      t30, t26)));
+  const T t38 = meetc::multiply_add<T>(-t0, t34, meetc::multiply_add<T>(t1, t33, -meetc::multiply_add<T>(t3,
+      t30, t27)));
+  const T t39 = meetc::multiply_add<T>(-t0, t35, meetc::multiply_add<T>(t2, t33, -meetc::multiply_add<T>(t3,
+      t31, t28)));
+  const T t40 = meetc::multiply_add<T>(-t1, t35, meetc::multiply_add<T>(t2, t34, -meetc::multiply_add<T>(t3,
+      t32, t29)));
+  B.e1_e2_e3_n = meetc::multiply_add<T>(-t0, t29, t36);
   B.e1_e2_e3_nb = t37;
   B.e1_e2_n_nb = t38;
   B.e1_e3_n_nb = t39;

@@ -3,10 +3,10 @@
 #ifndef MEETC_3_cga_kernel_meet_circle_line_HPP
 #define MEETC_3_cga_kernel_meet_circle_line_HPP
 
-#include <meetc/support.hpp>
+#include <meetc/number/formula.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 16, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -19,27 +19,30 @@ MEETC_NAMESPACE(cga) {
 //   B.nb = 2*X.e1_e2_nb*Y.e3_n_nb - 2*X.e1_e3_nb*Y.e2_n_nb + 2*X.e2_e3_nb*Y.e1_n_nb
 // 18 multiplications, 13 additions, 5 scalings by powers of two, 4 negations.
 // Within ((1 + u)^6 - 1) M of the exact values.
-template <class T> MEETC_HD inline point_blade<T> meet(const circle_blade<T> &X, const line_blade<T> &Y) {
+template <class T> MEETC_HD constexpr point_blade<T> meet(const circle_blade<T> &X,
+    const line_blade<T> &Y) noexcept(meetc::is_built_in<T>) {
   point_blade<T> B;
-  const T t0 = meetc::multiply_add(-X.e1_e3_nb, Y.e1_e2_n, meetc::multiply_add(X.e1_e2_nb, Y.e1_e3_n,
+  const T t0 = meetc::multiply_add<T>(-X.e1_e3_nb, Y.e1_e2_n, meetc::multiply_add<T>(X.e1_e2_nb, Y.e1_e3_n,
       X.e1_e2_e3 * Y.e1_n_nb));
-  const T t1 = meetc::multiply_add(-Y.e1_e2_n, X.e2_e3_nb, meetc::multiply_add(X.e1_e2_nb, Y.e2_e3_n,
+  const T t1 = meetc::multiply_add<T>(-Y.e1_e2_n, X.e2_e3_nb, meetc::multiply_add<T>(X.e1_e2_nb, Y.e2_e3_n,
       X.e1_e2_e3 * Y.e2_n_nb));
-  const T t2 = meetc::multiply_add(-Y.e1_e3_n, X.e2_e3_nb, meetc::multiply_add(X.e1_e3_nb, Y.e2_e3_n,
+  const T t2 = meetc::multiply_add<T>(-Y.e1_e3_n, X.e2_e3_nb, meetc::multiply_add<T>(X.e1_e3_nb, Y.e2_e3_n,
       X.e1_e2_e3 * Y.e3_n_nb));
-  const T t3 = meetc::multiply_add(Y.e2_e3_n, X.e1_n_nb, meetc::multiply_add(-Y.e2_n_nb, X.e1_e3_n,
+  const T t3 = meetc::multiply_add<T>(Y.e2_e3_n, X.e1_n_nb, meetc::multiply_add<T>(-Y.e2_n_nb, X.e1_e3_n,
       Y.e3_n_nb * X.e1_e2_n));
-  const T t4 = meetc::multiply_add(-Y.e1_e3_n, X.e2_n_nb, meetc::multiply_add(Y.e1_n_nb, X.e2_e3_n, t3));
-  const T t5 = meetc::multiply_add(Y.e1_n_nb, X.e2_e3_nb, meetc::multiply_add(-X.e1_e3_nb, Y.e2_n_nb,
+  const T t4 = meetc::multiply_add<T>(-Y.e1_e3_n, X.e2_n_nb, meetc::multiply_add<T>(Y.e1_n_nb, X.e2_e3_n,
+      t3));
+  const T t5 = meetc::multiply_add<T>(Y.e1_n_nb, X.e2_e3_nb, meetc::multiply_add<T>(-X.e1_e3_nb, Y.e2_n_nb,
       X.e1_e2_nb * Y.e3_n_nb));
-  B.e1 = t0 * T(2);
-  B.e2 = T(2) * t1;
-  B.e3 = T(2) * t2;
-  B.n = T(2) * meetc::multiply_add(Y.e1_e2_n, X.e3_n_nb, t4);
-  B.nb = T(2) * t5;
+  B.e1 = t0 * meetc::number<T>(2);
+  B.e2 = meetc::number<T>(2) * t1;
+  B.e3 = meetc::number<T>(2) * t2;
+  B.n = meetc::number<T>(2) * meetc::multiply_add<T>(Y.e1_e2_n, X.e3_n_nb, t4);
+  B.nb = meetc::number<T>(2) * t5;
   return B;
 }
-template <class T> MEETC_HD inline point_blade<T> meet(const circle<T> &X, const line<T> &Y) {
+template <class T> MEETC_HD constexpr point_blade<T> meet(const circle<T> &X,
+    const line<T> &Y) noexcept(meetc::is_built_in<T>) {
   return meet(blade(X), blade(Y));
 }
 

@@ -3,10 +3,10 @@
 #ifndef MEETC_3_cga_kernel_meet_circle_plane_HPP
 #define MEETC_3_cga_kernel_meet_circle_plane_HPP
 
-#include <meetc/support.hpp>
+#include <meetc/number/formula.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 16, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -23,36 +23,37 @@ MEETC_NAMESPACE(cga) {
 //   B.n_nb = 2*X.e1_n_nb*Y.e2_e3_n_nb - 2*X.e2_n_nb*Y.e1_e3_n_nb + 2*X.e3_n_nb*Y.e1_e2_n_nb
 // 24 multiplications, 14 additions, 10 scalings by powers of two, 2 negations.
 // Within ((1 + u)^3 - 1) M of the exact values.
-template <class T> MEETC_HD inline point_pair_blade<T> meet(const circle_blade<T> &X,
-    const plane_blade<T> &Y) {
+template <class T> MEETC_HD constexpr point_pair_blade<T> meet(const circle_blade<T> &X,
+    const plane_blade<T> &Y) noexcept(meetc::is_built_in<T>) {
   point_pair_blade<T> B;
-  const T t0 = meetc::multiply_add(X.e1_e2_nb, Y.e1_e2_e3_n, X.e1_e2_e3 * Y.e1_e2_n_nb) * T(2);
-  const T t1 = T(2) * meetc::multiply_add(Y.e1_e2_e3_n, X.e1_e3_nb, X.e1_e2_e3 * Y.e1_e3_n_nb);
-  const T t2 = meetc::multiply_add(Y.e1_e2_e3_n, X.e1_n_nb, meetc::multiply_add(-Y.e1_e2_n_nb, X.e1_e3_n,
-      Y.e1_e3_n_nb * X.e1_e2_n));
-  const T t3 = meetc::multiply_add(-Y.e1_e2_n_nb, X.e1_e3_nb, X.e1_e2_nb * Y.e1_e3_n_nb);
-  const T t4 = T(2) * meetc::multiply_add(Y.e1_e2_e3_n, X.e2_e3_nb, X.e1_e2_e3 * Y.e2_e3_n_nb);
-  const T t5 = meetc::multiply_add(Y.e1_e2_e3_n, X.e2_n_nb, meetc::multiply_add(-Y.e1_e2_n_nb, X.e2_e3_n,
-      X.e1_e2_n * Y.e2_e3_n_nb));
-  const T t6 = meetc::multiply_add(-Y.e1_e2_n_nb, X.e2_e3_nb, X.e1_e2_nb * Y.e2_e3_n_nb);
-  const T t7 = meetc::multiply_add(Y.e1_e2_e3_n, X.e3_n_nb, meetc::multiply_add(-Y.e1_e3_n_nb, X.e2_e3_n,
-      X.e1_e3_n * Y.e2_e3_n_nb));
-  const T t8 = meetc::multiply_add(-Y.e1_e3_n_nb, X.e2_e3_nb, X.e1_e3_nb * Y.e2_e3_n_nb);
-  const T t9 = meetc::multiply_add(Y.e1_e2_n_nb, X.e3_n_nb, meetc::multiply_add(-Y.e1_e3_n_nb, X.e2_n_nb,
-      X.e1_n_nb * Y.e2_e3_n_nb));
-  B.e1_e2 = t0;
-  B.e1_e3 = t1;
-  B.e1_n = T(2) * t2;
-  B.e1_nb = T(2) * t3;
-  B.e2_e3 = t4;
-  B.e2_n = T(2) * t5;
-  B.e2_nb = T(2) * t6;
-  B.e3_n = T(2) * t7;
-  B.e3_nb = T(2) * t8;
-  B.n_nb = T(2) * t9;
+  const T t0 = meetc::multiply_add<T>(X.e1_e2_nb, Y.e1_e2_e3_n, X.e1_e2_e3 * Y.e1_e2_n_nb);
+  const T t1 = meetc::multiply_add<T>(Y.e1_e2_e3_n, X.e1_e3_nb, X.e1_e2_e3 * Y.e1_e3_n_nb);
+  const T t2 = meetc::multiply_add<T>(-Y.e1_e2_n_nb, X.e1_e3_n, Y.e1_e3_n_nb * X.e1_e2_n);
+  const T t3 = meetc::number<T>(2) * meetc::multiply_add<T>(Y.e1_e2_e3_n, X.e1_n_nb, t2);
+  const T t4 = meetc::multiply_add<T>(-Y.e1_e2_n_nb, X.e1_e3_nb, X.e1_e2_nb * Y.e1_e3_n_nb);
+  const T t5 = meetc::multiply_add<T>(Y.e1_e2_e3_n, X.e2_e3_nb, X.e1_e2_e3 * Y.e2_e3_n_nb);
+  const T t6 = meetc::multiply_add<T>(-Y.e1_e2_n_nb, X.e2_e3_n, X.e1_e2_n * Y.e2_e3_n_nb);
+  const T t7 = meetc::number<T>(2) * meetc::multiply_add<T>(Y.e1_e2_e3_n, X.e2_n_nb, t6);
+  const T t8 = meetc::multiply_add<T>(-Y.e1_e2_n_nb, X.e2_e3_nb, X.e1_e2_nb * Y.e2_e3_n_nb);
+  const T t9 = meetc::multiply_add<T>(-Y.e1_e3_n_nb, X.e2_e3_n, X.e1_e3_n * Y.e2_e3_n_nb);
+  const T t10 = meetc::number<T>(2) * meetc::multiply_add<T>(Y.e1_e2_e3_n, X.e3_n_nb, t9);
+  const T t11 = meetc::multiply_add<T>(-Y.e1_e3_n_nb, X.e2_e3_nb, X.e1_e3_nb * Y.e2_e3_n_nb);
+  const T t12 = meetc::multiply_add<T>(-Y.e1_e3_n_nb, X.e2_n_nb, X.e1_n_nb * Y.e2_e3_n_nb);
+  const T t13 = meetc::number<T>(2) * meetc::multiply_add<T>(Y.e1_e2_n_nb, X.e3_n_nb, t12);
+  B.e1_e2 = t0 * meetc::number<T>(2);
+  B.e1_e3 = meetc::number<T>(2) * t1;
+  B.e1_n = t3;
+  B.e1_nb = meetc::number<T>(2) * t4;
+  B.e2_e3 = meetc::number<T>(2) * t5;
+  B.e2_n = t7;
+  B.e2_nb = meetc::number<T>(2) * t8;
+  B.e3_n = t10;
+  B.e3_nb = meetc::number<T>(2) * t11;
+  B.n_nb = t13;
   return B;
 }
-template <class T> MEETC_HD inline point_pair_blade<T> meet(const circle<T> &X, const plane<T> &Y) {
+template <class T> MEETC_HD constexpr point_pair_blade<T> meet(const circle<T> &X,
+    const plane<T> &Y) noexcept(meetc::is_built_in<T>) {
   return meet(blade(X), blade(Y));
 }
 

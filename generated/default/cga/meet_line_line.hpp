@@ -3,10 +3,10 @@
 #ifndef MEETC_3_cga_kernel_meet_line_line_HPP
 #define MEETC_3_cga_kernel_meet_line_line_HPP
 
-#include <meetc/support.hpp>
+#include <meetc/number/formula.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 16, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -19,16 +19,18 @@ template <class T = float> struct meet_line_line_result {
 //       - 2*X.e2_n_nb*Y.e1_e3_n + 2*X.e3_n_nb*Y.e1_e2_n
 // 6 multiplications, 5 additions, 1 scaling by a power of two, 2 negations.
 // Within ((1 + u)^6 - 1) M of the exact value.
-template <class T> MEETC_HD inline meet_line_line_result<T> meet(const line_blade<T> &X,
-    const line_blade<T> &Y) {
+template <class T> MEETC_HD constexpr meet_line_line_result<T> meet(const line_blade<T> &X,
+    const line_blade<T> &Y) noexcept(meetc::is_built_in<T>) {
   meet_line_line_result<T> B;
-  const T t0 = meetc::multiply_add(X.e1_n_nb, Y.e2_e3_n, meetc::multiply_add(-X.e1_e3_n, Y.e2_n_nb,
+  const T t0 = meetc::multiply_add<T>(X.e1_n_nb, Y.e2_e3_n, meetc::multiply_add<T>(-X.e1_e3_n, Y.e2_n_nb,
       X.e1_e2_n * Y.e3_n_nb));
-  const T t1 = meetc::multiply_add(-X.e2_n_nb, Y.e1_e3_n, meetc::multiply_add(X.e2_e3_n, Y.e1_n_nb, t0));
-  B.n = meetc::multiply_add(X.e3_n_nb, Y.e1_e2_n, t1) * T(2);
+  const T t1 = meetc::multiply_add<T>(-X.e2_n_nb, Y.e1_e3_n, meetc::multiply_add<T>(X.e2_e3_n, Y.e1_n_nb,
+      t0));
+  B.n = meetc::multiply_add<T>(X.e3_n_nb, Y.e1_e2_n, t1) * meetc::number<T>(2);
   return B;
 }
-template <class T> MEETC_HD inline meet_line_line_result<T> meet(const line<T> &X, const line<T> &Y) {
+template <class T> MEETC_HD constexpr meet_line_line_result<T> meet(const line<T> &X,
+    const line<T> &Y) noexcept(meetc::is_built_in<T>) {
   return meet(blade(X), blade(Y));
 }
 

@@ -3,10 +3,10 @@
 #ifndef MEETC_3_cga_kernel_meet_plane_line_HPP
 #define MEETC_3_cga_kernel_meet_plane_line_HPP
 
-#include <meetc/support.hpp>
+#include <meetc/number/formula.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 16, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -17,23 +17,25 @@ MEETC_NAMESPACE(cga) {
 //   B.n_nb = 2*X.e1_e2_n_nb*Y.e3_n_nb - 2*X.e1_e3_n_nb*Y.e2_n_nb + 2*X.e2_e3_n_nb*Y.e1_n_nb
 // 12 multiplications, 8 additions, 4 scalings by powers of two, 2 negations.
 // Within ((1 + u)^3 - 1) M of the exact values.
-template <class T> MEETC_HD inline flat_point_blade<T> meet(const plane_blade<T> &X, const line_blade<T> &Y) {
+template <class T> MEETC_HD constexpr flat_point_blade<T> meet(const plane_blade<T> &X,
+    const line_blade<T> &Y) noexcept(meetc::is_built_in<T>) {
   flat_point_blade<T> B;
-  const T t0 = meetc::multiply_add(X.e1_e3_n_nb, Y.e1_e2_n, meetc::multiply_add(-X.e1_e2_n_nb, Y.e1_e3_n,
-      X.e1_e2_e3_n * Y.e1_n_nb));
-  const T t1 = meetc::multiply_add(Y.e1_e2_n, X.e2_e3_n_nb, meetc::multiply_add(-X.e1_e2_n_nb, Y.e2_e3_n,
-      X.e1_e2_e3_n * Y.e2_n_nb));
-  const T t2 = meetc::multiply_add(Y.e1_e3_n, X.e2_e3_n_nb, meetc::multiply_add(-X.e1_e3_n_nb, Y.e2_e3_n,
-      X.e1_e2_e3_n * Y.e3_n_nb));
-  const T t3 = meetc::multiply_add(Y.e1_n_nb, X.e2_e3_n_nb, meetc::multiply_add(-X.e1_e3_n_nb, Y.e2_n_nb,
-      X.e1_e2_n_nb * Y.e3_n_nb));
-  B.e1_n = t0 * T(2);
-  B.e2_n = T(2) * t1;
-  B.e3_n = T(2) * t2;
-  B.n_nb = T(2) * t3;
+  const T t0 = meetc::multiply_add<T>(-X.e1_e2_n_nb, Y.e1_e3_n, X.e1_e2_e3_n * Y.e1_n_nb);
+  const T t1 = meetc::multiply_add<T>(X.e1_e3_n_nb, Y.e1_e2_n, t0) * meetc::number<T>(2);
+  const T t2 = meetc::multiply_add<T>(-X.e1_e2_n_nb, Y.e2_e3_n, X.e1_e2_e3_n * Y.e2_n_nb);
+  const T t3 = meetc::number<T>(2) * meetc::multiply_add<T>(Y.e1_e2_n, X.e2_e3_n_nb, t2);
+  const T t4 = meetc::multiply_add<T>(-X.e1_e3_n_nb, Y.e2_e3_n, X.e1_e2_e3_n * Y.e3_n_nb);
+  const T t5 = meetc::number<T>(2) * meetc::multiply_add<T>(Y.e1_e3_n, X.e2_e3_n_nb, t4);
+  const T t6 = meetc::multiply_add<T>(-X.e1_e3_n_nb, Y.e2_n_nb, X.e1_e2_n_nb * Y.e3_n_nb);
+  const T t7 = meetc::number<T>(2) * meetc::multiply_add<T>(Y.e1_n_nb, X.e2_e3_n_nb, t6);
+  B.e1_n = t1;
+  B.e2_n = t3;
+  B.e3_n = t5;
+  B.n_nb = t7;
   return B;
 }
-template <class T> MEETC_HD inline flat_point_blade<T> meet(const plane<T> &X, const line<T> &Y) {
+template <class T> MEETC_HD constexpr flat_point_blade<T> meet(const plane<T> &X,
+    const line<T> &Y) noexcept(meetc::is_built_in<T>) {
   return meet(blade(X), blade(Y));
 }
 

@@ -3,10 +3,10 @@
 #ifndef MEETC_3_cga_kernel_meet_point_pair_line_HPP
 #define MEETC_3_cga_kernel_meet_point_pair_line_HPP
 
-#include <meetc/support.hpp>
+#include <meetc/number/formula.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 16, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -15,27 +15,29 @@ MEETC_NAMESPACE(cga) {
 //       + 2*X.e2_nb*Y.e1_e3_n - 2*X.e3_nb*Y.e1_e2_n
 // 6 multiplications, 5 additions, 1 scaling by a power of two, 3 negations.
 // Within ((1 + u)^6 - 1) M of the exact value.
-template <class T> MEETC_HD inline T meet(const point_pair_blade<T> &X, const line_blade<T> &Y) {
-  const T t0 = meetc::multiply_add(-X.e1_nb, Y.e2_e3_n, meetc::multiply_add(-X.e1_e3, Y.e2_n_nb,
+template <class T> MEETC_HD constexpr T meet(const point_pair_blade<T> &X,
+    const line_blade<T> &Y) noexcept(meetc::is_built_in<T>) {
+  const T t0 = meetc::multiply_add<T>(-X.e1_nb, Y.e2_e3_n, meetc::multiply_add<T>(-X.e1_e3, Y.e2_n_nb,
       X.e1_e2 * Y.e3_n_nb));
-  const T t1 = meetc::multiply_add(X.e2_nb, Y.e1_e3_n, meetc::multiply_add(X.e2_e3, Y.e1_n_nb, t0));
-  return meetc::multiply_add(-X.e3_nb, Y.e1_e2_n, t1) * T(2);
+  const T t1 = meetc::multiply_add<T>(X.e2_nb, Y.e1_e3_n, meetc::multiply_add<T>(X.e2_e3, Y.e1_n_nb, t0));
+  return meetc::multiply_add<T>(-X.e3_nb, Y.e1_e2_n, t1) * meetc::number<T>(2);
 }
 
 // meet(point_pair, line) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 9 multiplications, 14 additions, 1 scaling by a power of two, 3 negations.
 // Within ((1 + u)^8 - 1) M of the exact value.
-template <class T> MEETC_HD inline T meet(const point_pair<T> &X, const line<T> &Y) {
+template <class T> MEETC_HD constexpr T meet(const point_pair<T> &X,
+    const line<T> &Y) noexcept(meetc::is_built_in<T>) {
   const T t0 = Y.q.y - Y.p.y;
   const T t1 = X.q.z - X.p.z;
   const T t2 = Y.q.z - Y.p.z;
   const T t3 = X.q.y - X.p.y;
   const T t4 = X.q.x - X.p.x;
   const T t5 = Y.q.x - Y.p.x;
-  const T t6 = meetc::multiply_add(meetc::multiply_add(-t2, t4, t1 * t5), Y.p.y - X.p.y,
-      meetc::multiply_add(-t0, t1, t2 * t3) * (Y.p.x - X.p.x));
-  const T t7 = meetc::multiply_add(meetc::multiply_add(-t3, t5, t0 * t4), Y.p.z - X.p.z, t6);
-  return t7 * T(16);
+  const T t6 = meetc::multiply_add<T>(meetc::multiply_add<T>(-t2, t4, t1 * t5), Y.p.y - X.p.y,
+      meetc::multiply_add<T>(-t0, t1, t2 * t3) * (Y.p.x - X.p.x));
+  const T t7 = meetc::multiply_add<T>(meetc::multiply_add<T>(-t3, t5, t0 * t4), Y.p.z - X.p.z, t6);
+  return t7 * meetc::number<T>(16);
 }
 
 // meet(point_pair, line) from stored numbers, for many pairs. Within ((1 + u)^8 - 1) M of the exact value.
@@ -44,24 +46,27 @@ template <class T> MEETC_HD inline T meet(const point_pair<T> &X, const line<T> 
 struct meet_point_pair_line {
   static constexpr int fields_a = 3, fields_b = 3;
   // 0 multiplications, 3 additions.
-  template <class T> MEETC_HD static void object_a(const point_pair<T> &X, T *f) {
+  template <class T> MEETC_HD static constexpr void object_a(const point_pair<T> &X,
+      T *f) noexcept(meetc::is_built_in<T>) {
     f[0] = X.q.z - X.p.z;
     f[1] = X.q.y - X.p.y;
     f[2] = X.q.x - X.p.x;
   }
   // 0 multiplications, 3 additions.
-  template <class T> MEETC_HD static void object_b(const line<T> &Y, T *f) {
+  template <class T> MEETC_HD static constexpr void object_b(const line<T> &Y,
+      T *f) noexcept(meetc::is_built_in<T>) {
     f[0] = Y.q.y - Y.p.y;
     f[1] = Y.q.z - Y.p.z;
     f[2] = Y.q.x - Y.p.x;
   }
   // 9 multiplications, 8 additions, 1 scaling by a power of two, 3 negations.
-  template <class T> MEETC_HD static T pair(const point_pair<T> &X, const T *fa, const line<T> &Y,
-      const T *fb) {
-    const T t0 = meetc::multiply_add(meetc::multiply_add(-fb[1], fa[2], fa[0] * fb[2]), Y.p.y - X.p.y,
-        meetc::multiply_add(-fb[0], fa[0], fb[1] * fa[1]) * (Y.p.x - X.p.x));
-    const T t1 = meetc::multiply_add(meetc::multiply_add(-fa[1], fb[2], fb[0] * fa[2]), Y.p.z - X.p.z, t0);
-    return t1 * T(16);
+  template <class T> MEETC_HD static constexpr T pair(const point_pair<T> &X, const T *fa, const line<T> &Y,
+      const T *fb) noexcept(meetc::is_built_in<T>) {
+    const T t0 = meetc::multiply_add<T>(meetc::multiply_add<T>(-fb[1], fa[2], fa[0] * fb[2]), Y.p.y - X.p.y,
+        meetc::multiply_add<T>(-fb[0], fa[0], fb[1] * fa[1]) * (Y.p.x - X.p.x));
+    const T t1 = meetc::multiply_add<T>(meetc::multiply_add<T>(-fa[1], fb[2], fb[0] * fa[2]), Y.p.z - X.p.z,
+        t0);
+    return t1 * meetc::number<T>(16);
   }
 };
 

@@ -3,10 +3,10 @@
 #ifndef MEETC_3_cga_kernel_meet_sphere_sphere_HPP
 #define MEETC_3_cga_kernel_meet_sphere_sphere_HPP
 
-#include <meetc/support.hpp>
+#include <meetc/number/formula.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 16, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -23,31 +23,33 @@ MEETC_NAMESPACE(cga) {
 //   B.e3_n_nb = -2*X.e1_e3_n_nb*Y.e2_e3_n_nb + 2*X.e2_e3_n_nb*Y.e1_e3_n_nb
 // 20 multiplications, 10 additions, 10 scalings by powers of two, 15 negations.
 // Within ((1 + u)^2 - 1) M of the exact values.
-template <class T> MEETC_HD inline circle_blade<T> meet(const sphere_blade<T> &X, const sphere_blade<T> &Y) {
+template <class T> MEETC_HD constexpr circle_blade<T> meet(const sphere_blade<T> &X,
+    const sphere_blade<T> &Y) noexcept(meetc::is_built_in<T>) {
   circle_blade<T> B;
-  const T t0 = meetc::multiply_add(-X.e1_e2_e3_nb, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e2_e3_nb);
-  const T t1 = meetc::multiply_add(-Y.e1_e2_e3_n, X.e1_e2_n_nb, X.e1_e2_e3_n * Y.e1_e2_n_nb);
-  const T t2 = meetc::multiply_add(-Y.e1_e2_e3_nb, X.e1_e2_n_nb, X.e1_e2_e3_nb * Y.e1_e2_n_nb);
-  const T t3 = meetc::multiply_add(-Y.e1_e2_e3_n, X.e1_e3_n_nb, X.e1_e2_e3_n * Y.e1_e3_n_nb);
-  const T t4 = meetc::multiply_add(-Y.e1_e2_e3_nb, X.e1_e3_n_nb, X.e1_e2_e3_nb * Y.e1_e3_n_nb);
-  const T t5 = meetc::multiply_add(-Y.e1_e2_n_nb, X.e1_e3_n_nb, X.e1_e2_n_nb * Y.e1_e3_n_nb);
-  const T t6 = meetc::multiply_add(-Y.e1_e2_e3_n, X.e2_e3_n_nb, X.e1_e2_e3_n * Y.e2_e3_n_nb);
-  const T t7 = meetc::multiply_add(-Y.e1_e2_e3_nb, X.e2_e3_n_nb, X.e1_e2_e3_nb * Y.e2_e3_n_nb);
-  const T t8 = meetc::multiply_add(-Y.e1_e2_n_nb, X.e2_e3_n_nb, X.e1_e2_n_nb * Y.e2_e3_n_nb);
-  const T t9 = meetc::multiply_add(-Y.e1_e3_n_nb, X.e2_e3_n_nb, X.e1_e3_n_nb * Y.e2_e3_n_nb);
-  B.e1_e2_e3 = -(t0 * T(2));
-  B.e1_e2_n = -(T(2) * t1);
-  B.e1_e2_nb = -(T(2) * t2);
-  B.e1_e3_n = -(T(2) * t3);
-  B.e1_e3_nb = -(T(2) * t4);
-  B.e1_n_nb = -(T(2) * t5);
-  B.e2_e3_n = -(T(2) * t6);
-  B.e2_e3_nb = -(T(2) * t7);
-  B.e2_n_nb = -(T(2) * t8);
-  B.e3_n_nb = -(T(2) * t9);
+  const T t0 = meetc::multiply_add<T>(-X.e1_e2_e3_nb, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e2_e3_nb);
+  const T t1 = meetc::multiply_add<T>(-Y.e1_e2_e3_n, X.e1_e2_n_nb, X.e1_e2_e3_n * Y.e1_e2_n_nb);
+  const T t2 = meetc::multiply_add<T>(-Y.e1_e2_e3_nb, X.e1_e2_n_nb, X.e1_e2_e3_nb * Y.e1_e2_n_nb);
+  const T t3 = meetc::multiply_add<T>(-Y.e1_e2_e3_n, X.e1_e3_n_nb, X.e1_e2_e3_n * Y.e1_e3_n_nb);
+  const T t4 = meetc::multiply_add<T>(-Y.e1_e2_e3_nb, X.e1_e3_n_nb, X.e1_e2_e3_nb * Y.e1_e3_n_nb);
+  const T t5 = meetc::multiply_add<T>(-Y.e1_e2_n_nb, X.e1_e3_n_nb, X.e1_e2_n_nb * Y.e1_e3_n_nb);
+  const T t6 = meetc::multiply_add<T>(-Y.e1_e2_e3_n, X.e2_e3_n_nb, X.e1_e2_e3_n * Y.e2_e3_n_nb);
+  const T t7 = meetc::multiply_add<T>(-Y.e1_e2_e3_nb, X.e2_e3_n_nb, X.e1_e2_e3_nb * Y.e2_e3_n_nb);
+  const T t8 = meetc::multiply_add<T>(-Y.e1_e2_n_nb, X.e2_e3_n_nb, X.e1_e2_n_nb * Y.e2_e3_n_nb);
+  const T t9 = meetc::multiply_add<T>(-Y.e1_e3_n_nb, X.e2_e3_n_nb, X.e1_e3_n_nb * Y.e2_e3_n_nb);
+  B.e1_e2_e3 = -(t0 * meetc::number<T>(2));
+  B.e1_e2_n = -(meetc::number<T>(2) * t1);
+  B.e1_e2_nb = -(meetc::number<T>(2) * t2);
+  B.e1_e3_n = -(meetc::number<T>(2) * t3);
+  B.e1_e3_nb = -(meetc::number<T>(2) * t4);
+  B.e1_n_nb = -(meetc::number<T>(2) * t5);
+  B.e2_e3_n = -(meetc::number<T>(2) * t6);
+  B.e2_e3_nb = -(meetc::number<T>(2) * t7);
+  B.e2_n_nb = -(meetc::number<T>(2) * t8);
+  B.e3_n_nb = -(meetc::number<T>(2) * t9);
   return B;
 }
-template <class T> MEETC_HD inline circle_blade<T> meet(const sphere<T> &X, const sphere<T> &Y) {
+template <class T> MEETC_HD constexpr circle_blade<T> meet(const sphere<T> &X,
+    const sphere<T> &Y) noexcept(meetc::is_built_in<T>) {
   return meet(blade(X), blade(Y));
 }
 

@@ -3,10 +3,10 @@
 #ifndef MEETC_3_cga_kernel_norm2_meet_circle_circle_HPP
 #define MEETC_3_cga_kernel_norm2_meet_circle_circle_HPP
 
-#include <meetc/support.hpp>
+#include <meetc/number/formula.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 16, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -14,51 +14,60 @@ MEETC_NAMESPACE(cga) {
 //   99 terms when expanded
 // 34 multiplications, 28 additions, 5 scalings by powers of two, 5 negations.
 // Within ((1 + u)^16 - 1) M of the exact value.
-template <class T> MEETC_HD inline T norm2_meet(const circle_blade<T> &X, const circle_blade<T> &Y) {
-  const T t0 = meetc::multiply_add(X.e1_n_nb, Y.e2_e3_nb, meetc::multiply_add(-X.e1_e3_nb, Y.e2_n_nb,
+template <class T> MEETC_HD constexpr T norm2_meet(const circle_blade<T> &X,
+    const circle_blade<T> &Y) noexcept(meetc::is_built_in<T>) {
+  const T t0 = meetc::multiply_add<T>(X.e1_n_nb, Y.e2_e3_nb, meetc::multiply_add<T>(-X.e1_e3_nb, Y.e2_n_nb,
       X.e1_e2_nb * Y.e3_n_nb));
-  const T t1 = meetc::multiply_add(-X.e2_n_nb, Y.e1_e3_nb, meetc::multiply_add(X.e2_e3_nb, Y.e1_n_nb, t0));
-  const T t2 = meetc::multiply_add(X.e1_e2_nb, Y.e1_e3_n, meetc::multiply_add(-X.e1_e2_n, Y.e1_e3_nb,
+  const T t1 = meetc::multiply_add<T>(-X.e2_n_nb, Y.e1_e3_nb, meetc::multiply_add<T>(X.e2_e3_nb, Y.e1_n_nb,
+      t0));
+  const T t2 = meetc::multiply_add<T>(X.e1_e2_nb, Y.e1_e3_n, meetc::multiply_add<T>(-X.e1_e2_n, Y.e1_e3_nb,
       X.e1_e2_e3 * Y.e1_n_nb));
-  const T t3 = meetc::multiply_add(-X.e1_e3_nb, Y.e1_e2_n, meetc::multiply_add(X.e1_e3_n, Y.e1_e2_nb, t2));
-  const T t4 = T(2) * meetc::multiply_add(X.e1_n_nb, Y.e1_e2_e3, t3);
-  const T t5 = meetc::multiply_add(X.e1_e2_nb, Y.e2_e3_n, meetc::multiply_add(-X.e1_e2_n, Y.e2_e3_nb,
+  const T t3 = meetc::multiply_add<T>(-X.e1_e3_nb, Y.e1_e2_n, meetc::multiply_add<T>(X.e1_e3_n, Y.e1_e2_nb,
+      t2));
+  const T t4 = meetc::number<T>(2) * meetc::multiply_add<T>(X.e1_n_nb, Y.e1_e2_e3, t3);
+  const T t5 = meetc::multiply_add<T>(X.e1_e2_nb, Y.e2_e3_n, meetc::multiply_add<T>(-X.e1_e2_n, Y.e2_e3_nb,
       X.e1_e2_e3 * Y.e2_n_nb));
-  const T t6 = meetc::multiply_add(-X.e2_e3_nb, Y.e1_e2_n, meetc::multiply_add(X.e2_e3_n, Y.e1_e2_nb, t5));
-  const T t7 = T(2) * meetc::multiply_add(X.e2_n_nb, Y.e1_e2_e3, t6);
-  const T t8 = meetc::multiply_add(X.e1_e3_nb, Y.e2_e3_n, meetc::multiply_add(-X.e1_e3_n, Y.e2_e3_nb,
+  const T t6 = meetc::multiply_add<T>(-X.e2_e3_nb, Y.e1_e2_n, meetc::multiply_add<T>(X.e2_e3_n, Y.e1_e2_nb,
+      t5));
+  const T t7 = meetc::number<T>(2) * meetc::multiply_add<T>(X.e2_n_nb, Y.e1_e2_e3, t6);
+  const T t8 = meetc::multiply_add<T>(X.e1_e3_nb, Y.e2_e3_n, meetc::multiply_add<T>(-X.e1_e3_n, Y.e2_e3_nb,
       X.e1_e2_e3 * Y.e3_n_nb));
-  const T t9 = meetc::multiply_add(-X.e2_e3_nb, Y.e1_e3_n, meetc::multiply_add(X.e2_e3_n, Y.e1_e3_nb, t8));
-  const T t10 = T(2) * meetc::multiply_add(X.e3_n_nb, Y.e1_e2_e3, t9);
-  const T t11 = meetc::multiply_add(X.e1_n_nb, Y.e2_e3_n, meetc::multiply_add(-X.e1_e3_n, Y.e2_n_nb,
+  const T t9 = meetc::multiply_add<T>(-X.e2_e3_nb, Y.e1_e3_n, meetc::multiply_add<T>(X.e2_e3_n, Y.e1_e3_nb,
+      t8));
+  const T t10 = meetc::number<T>(2) * meetc::multiply_add<T>(X.e3_n_nb, Y.e1_e2_e3, t9);
+  const T t11 = meetc::multiply_add<T>(X.e1_n_nb, Y.e2_e3_n, meetc::multiply_add<T>(-X.e1_e3_n, Y.e2_n_nb,
       X.e1_e2_n * Y.e3_n_nb));
-  const T t12 = meetc::multiply_add(-X.e2_n_nb, Y.e1_e3_n, meetc::multiply_add(X.e2_e3_n, Y.e1_n_nb, t11));
-  const T t13 = meetc::multiply_add(T(2) * meetc::multiply_add(X.e3_n_nb, Y.e1_e2_nb, t1),
-      meetc::multiply_add(X.e3_n_nb, Y.e1_e2_n, t12) * T(8), meetc::multiply_add(t10, t10,
-      meetc::multiply_add(t7, t7, t4 * t4)));
-  return t13;
+  const T t12 = meetc::multiply_add<T>(-X.e2_n_nb, Y.e1_e3_n, meetc::multiply_add<T>(X.e2_e3_n, Y.e1_n_nb,
+      t11));
+  const T t13 = meetc::multiply_add<T>(t10, t10, meetc::multiply_add<T>(t7, t7, t4 * t4));
+  const T t14 = meetc::multiply_add<T>(meetc::number<T>(2) * meetc::multiply_add<T>(X.e3_n_nb, Y.e1_e2_nb,
+      t1), meetc::multiply_add<T>(X.e3_n_nb, Y.e1_e2_n, t12) * meetc::number<T>(8), t13);
+  return t14;
 }
 
 // norm2(meet(circle, circle)) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 33 multiplications, 23 additions, 3 scalings by powers of two, 3 negations.
 // Within ((1 + u)^24 - 1) M of the exact value.
-template <class T> MEETC_HD inline T norm2_meet(const circle<T> &X, const circle<T> &Y) {
-  const T t0 = meetc::multiply_add(X.N.z, X.N.z, meetc::multiply_add(X.N.y, X.N.y, X.N.x * X.N.x));
-  const T t1 = meetc::multiply_add(Y.N.z, Y.N.z, meetc::multiply_add(Y.N.y, Y.N.y, Y.N.x * Y.N.x));
+template <class T> MEETC_HD constexpr T norm2_meet(const circle<T> &X,
+    const circle<T> &Y) noexcept(meetc::is_built_in<T>) {
+  const T t0 = meetc::multiply_add<T>(X.N.z, X.N.z, meetc::multiply_add<T>(X.N.y, X.N.y, X.N.x * X.N.x));
+  const T t1 = meetc::multiply_add<T>(Y.N.z, Y.N.z, meetc::multiply_add<T>(Y.N.y, Y.N.y, Y.N.x * Y.N.x));
   const T t2 = Y.c.x - X.c.x;
   const T t3 = Y.c.y - X.c.y;
   const T t4 = Y.c.z - X.c.z;
-  const T t5 = meetc::multiply_add(Y.N.z, t4, meetc::multiply_add(Y.N.y, t3, Y.N.x * t2));
-  const T t6 = meetc::multiply_add(X.N.z, Y.N.z, meetc::multiply_add(X.N.y, Y.N.y, X.N.x * Y.N.x));
-  const T t7 = meetc::multiply_add(X.N.z, t4, meetc::multiply_add(X.N.y, t3, X.N.x * t2));
+  const T t5 = meetc::multiply_add<T>(Y.N.z, t4, meetc::multiply_add<T>(Y.N.y, t3, Y.N.x * t2));
+  const T t6 = meetc::multiply_add<T>(X.N.z, Y.N.z, meetc::multiply_add<T>(X.N.y, Y.N.y, X.N.x * Y.N.x));
+  const T t7 = meetc::multiply_add<T>(X.N.z, t4, meetc::multiply_add<T>(X.N.y, t3, X.N.x * t2));
   const T t8 = Y.r * Y.r;
   const T t9 = X.r * X.r;
-  const T t10 = (t8 + t9) - meetc::multiply_add(t4, t4, meetc::multiply_add(t3, t3, t2 * t2));
+  const T t10 = (t8 + t9) - meetc::multiply_add<T>(t4, t4, meetc::multiply_add<T>(t3, t3, t2 * t2));
   const T t11 = t5 * t5;
-  const T t12 = meetc::multiply_add(-t6, t6, t0 * t1) * meetc::multiply_add(t8 * t9, T(-4), t10 * t10);
-  const T t13 = meetc::multiply_add(t7, meetc::multiply_add(-t1, t9, t11), t10 * (t5 * t6));
-  const T t14 = meetc::multiply_add(T(4), meetc::multiply_add(-t7, t13, (t0 * t8) * t11), t12);
-  return T(4) * t14;
+  const T t12 = meetc::multiply_add<T>(-t6, t6, t0 * t1) * meetc::multiply_add<T>(t8 * t9,
+      meetc::number<T>(-4), t10 * t10);
+  const T t13 = meetc::multiply_add<T>(t7, meetc::multiply_add<T>(-t1, t9, t11), t10 * (t5 * t6));
+  const T t14 = meetc::multiply_add<T>(meetc::number<T>(4), meetc::multiply_add<T>(-t7, t13, (t0 * t8) * t11),
+      t12);
+  return meetc::number<T>(4) * t14;
 }
 
 // norm2(meet(circle, circle)) from stored numbers, for many pairs. Within ((1 + u)^24 - 1) M of the exact value.
@@ -67,33 +76,36 @@ template <class T> MEETC_HD inline T norm2_meet(const circle<T> &X, const circle
 struct norm2_meet_circle_circle {
   static constexpr int fields_a = 2, fields_b = 2;
   // 4 multiplications, 2 additions.
-  template <class T> MEETC_HD static void object_a(const circle<T> &X, T *f) {
-    const T t0 = meetc::multiply_add(X.N.z, X.N.z, meetc::multiply_add(X.N.y, X.N.y, X.N.x * X.N.x));
+  template <class T> MEETC_HD static constexpr void object_a(const circle<T> &X,
+      T *f) noexcept(meetc::is_built_in<T>) {
+    const T t0 = meetc::multiply_add<T>(X.N.z, X.N.z, meetc::multiply_add<T>(X.N.y, X.N.y, X.N.x * X.N.x));
     f[0] = t0;
     f[1] = X.r * X.r;
   }
   // 4 multiplications, 2 additions.
-  template <class T> MEETC_HD static void object_b(const circle<T> &Y, T *f) {
-    const T t0 = meetc::multiply_add(Y.N.z, Y.N.z, meetc::multiply_add(Y.N.y, Y.N.y, Y.N.x * Y.N.x));
+  template <class T> MEETC_HD static constexpr void object_b(const circle<T> &Y,
+      T *f) noexcept(meetc::is_built_in<T>) {
+    const T t0 = meetc::multiply_add<T>(Y.N.z, Y.N.z, meetc::multiply_add<T>(Y.N.y, Y.N.y, Y.N.x * Y.N.x));
     f[0] = t0;
     f[1] = Y.r * Y.r;
   }
   // 25 multiplications, 19 additions, 3 scalings by powers of two, 3 negations.
-  template <class T> MEETC_HD static T pair(const circle<T> &X, const T *fa, const circle<T> &Y,
-      const T *fb) {
+  template <class T> MEETC_HD static constexpr T pair(const circle<T> &X, const T *fa, const circle<T> &Y,
+      const T *fb) noexcept(meetc::is_built_in<T>) {
     const T t0 = Y.c.x - X.c.x;
     const T t1 = Y.c.y - X.c.y;
     const T t2 = Y.c.z - X.c.z;
-    const T t3 = meetc::multiply_add(Y.N.z, t2, meetc::multiply_add(Y.N.y, t1, Y.N.x * t0));
-    const T t4 = meetc::multiply_add(X.N.z, Y.N.z, meetc::multiply_add(X.N.y, Y.N.y, X.N.x * Y.N.x));
-    const T t5 = meetc::multiply_add(X.N.z, t2, meetc::multiply_add(X.N.y, t1, X.N.x * t0));
-    const T t6 = (fb[1] + fa[1]) - meetc::multiply_add(t2, t2, meetc::multiply_add(t1, t1, t0 * t0));
+    const T t3 = meetc::multiply_add<T>(Y.N.z, t2, meetc::multiply_add<T>(Y.N.y, t1, Y.N.x * t0));
+    const T t4 = meetc::multiply_add<T>(X.N.z, Y.N.z, meetc::multiply_add<T>(X.N.y, Y.N.y, X.N.x * Y.N.x));
+    const T t5 = meetc::multiply_add<T>(X.N.z, t2, meetc::multiply_add<T>(X.N.y, t1, X.N.x * t0));
+    const T t6 = (fb[1] + fa[1]) - meetc::multiply_add<T>(t2, t2, meetc::multiply_add<T>(t1, t1, t0 * t0));
     const T t7 = t3 * t3;
-    const T t8 = meetc::multiply_add(-t4, t4, fa[0] * fb[0]) * meetc::multiply_add(fb[1] * fa[1], T(-4),
-        t6 * t6);
-    const T t9 = meetc::multiply_add(t5, meetc::multiply_add(-fb[0], fa[1], t7), t6 * (t3 * t4));
-    const T t10 = meetc::multiply_add(T(4), meetc::multiply_add(-t5, t9, (fa[0] * fb[1]) * t7), t8);
-    return T(4) * t10;
+    const T t8 = meetc::multiply_add<T>(-t4, t4, fa[0] * fb[0]) * meetc::multiply_add<T>(fb[1] * fa[1],
+        meetc::number<T>(-4), t6 * t6);
+    const T t9 = meetc::multiply_add<T>(t5, meetc::multiply_add<T>(-fb[0], fa[1], t7), t6 * (t3 * t4));
+    const T t10 = meetc::multiply_add<T>(meetc::number<T>(4), meetc::multiply_add<T>(-t5, t9,
+        (fa[0] * fb[1]) * t7), t8);
+    return meetc::number<T>(4) * t10;
   }
 };
 

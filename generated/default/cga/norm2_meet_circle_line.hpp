@@ -3,10 +3,10 @@
 #ifndef MEETC_3_cga_kernel_norm2_meet_circle_line_HPP
 #define MEETC_3_cga_kernel_norm2_meet_circle_line_HPP
 
-#include <meetc/support.hpp>
+#include <meetc/number/formula.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 16, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -30,44 +30,46 @@ MEETC_NAMESPACE(cga) {
 //       - 16*X.e2_e3_nb*X.e2_n_nb*Y.e1_e3_n*Y.e1_n_nb + 16*X.e2_e3_nb*X.e3_n_nb*Y.e1_e2_n*Y.e1_n_nb
 // 22 multiplications, 16 additions, 5 scalings by powers of two, 4 negations.
 // Within ((1 + u)^11 - 1) M of the exact value.
-template <class T> MEETC_HD inline T norm2_meet(const circle_blade<T> &X, const line_blade<T> &Y) {
-  const T t0 = meetc::multiply_add(X.e1_n_nb, Y.e2_e3_n, meetc::multiply_add(-X.e1_e3_n, Y.e2_n_nb,
+template <class T> MEETC_HD constexpr T norm2_meet(const circle_blade<T> &X,
+    const line_blade<T> &Y) noexcept(meetc::is_built_in<T>) {
+  const T t0 = meetc::multiply_add<T>(X.e1_n_nb, Y.e2_e3_n, meetc::multiply_add<T>(-X.e1_e3_n, Y.e2_n_nb,
       X.e1_e2_n * Y.e3_n_nb));
-  const T t1 = meetc::multiply_add(-X.e2_n_nb, Y.e1_e3_n, meetc::multiply_add(X.e2_e3_n, Y.e1_n_nb, t0));
-  const T t2 = meetc::multiply_add(-X.e1_e3_nb, Y.e1_e2_n, meetc::multiply_add(X.e1_e2_e3, Y.e1_n_nb,
+  const T t1 = meetc::multiply_add<T>(-X.e2_n_nb, Y.e1_e3_n, meetc::multiply_add<T>(X.e2_e3_n, Y.e1_n_nb,
+      t0));
+  const T t2 = meetc::multiply_add<T>(-X.e1_e3_nb, Y.e1_e2_n, meetc::multiply_add<T>(X.e1_e2_e3, Y.e1_n_nb,
       X.e1_e2_nb * Y.e1_e3_n));
-  const T t3 = T(2) * t2;
-  const T t4 = meetc::multiply_add(-X.e2_e3_nb, Y.e1_e2_n, meetc::multiply_add(X.e1_e2_e3, Y.e2_n_nb,
+  const T t3 = meetc::number<T>(2) * t2;
+  const T t4 = meetc::multiply_add<T>(-X.e2_e3_nb, Y.e1_e2_n, meetc::multiply_add<T>(X.e1_e2_e3, Y.e2_n_nb,
       X.e1_e2_nb * Y.e2_e3_n));
-  const T t5 = T(2) * t4;
-  const T t6 = meetc::multiply_add(-X.e2_e3_nb, Y.e1_e3_n, meetc::multiply_add(X.e1_e2_e3, Y.e3_n_nb,
+  const T t5 = meetc::number<T>(2) * t4;
+  const T t6 = meetc::multiply_add<T>(-X.e2_e3_nb, Y.e1_e3_n, meetc::multiply_add<T>(X.e1_e2_e3, Y.e3_n_nb,
       X.e1_e3_nb * Y.e2_e3_n));
-  const T t7 = T(2) * t6;
-  const T t8 = meetc::multiply_add(X.e2_e3_nb, Y.e1_n_nb, meetc::multiply_add(-X.e1_e3_nb, Y.e2_n_nb,
+  const T t7 = meetc::number<T>(2) * t6;
+  const T t8 = meetc::multiply_add<T>(X.e2_e3_nb, Y.e1_n_nb, meetc::multiply_add<T>(-X.e1_e3_nb, Y.e2_n_nb,
       X.e1_e2_nb * Y.e3_n_nb));
-  const T t9 = meetc::multiply_add(T(2) * t8, meetc::multiply_add(X.e3_n_nb, Y.e1_e2_n, t1) * T(8),
-      meetc::multiply_add(t7, t7, meetc::multiply_add(t5, t5, t3 * t3)));
+  const T t9 = meetc::multiply_add<T>(meetc::number<T>(2) * t8, meetc::multiply_add<T>(X.e3_n_nb, Y.e1_e2_n,
+      t1) * meetc::number<T>(8), meetc::multiply_add<T>(t7, t7, meetc::multiply_add<T>(t5, t5, t3 * t3)));
   return t9;
 }
 
 // norm2(meet(circle, line)) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 18 multiplications, 16 additions, 1 scaling by a power of two, 5 negations.
 // Within ((1 + u)^18 - 1) M of the exact value.
-template <class T> MEETC_HD inline T norm2_meet(const circle<T> &X, const line<T> &Y) {
+template <class T> MEETC_HD constexpr T norm2_meet(const circle<T> &X,
+    const line<T> &Y) noexcept(meetc::is_built_in<T>) {
   const T t0 = Y.p.x - X.c.x;
   const T t1 = Y.p.y - X.c.y;
   const T t2 = Y.p.z - X.c.z;
   const T t3 = Y.q.x - Y.p.x;
   const T t4 = Y.q.y - Y.p.y;
   const T t5 = Y.q.z - Y.p.z;
-  const T t6 = meetc::multiply_add(X.N.z, t2, meetc::multiply_add(X.N.y, t1, X.N.x * t0));
-  const T t7 = meetc::multiply_add(X.N.z, t5, meetc::multiply_add(X.N.y, t4, X.N.x * t3));
-  const T t8 = meetc::multiply_add(-t3, t6, t0 * t7);
-  const T t9 = meetc::multiply_add(-t4, t6, t1 * t7);
-  const T t10 = meetc::multiply_add(-t5, t6, t2 * t7);
-  const T t11 = meetc::multiply_add(X.r * X.r, t7 * t7, -meetc::multiply_add(t10, t10, meetc::multiply_add(t9,
-      t9, t8 * t8)));
-  return -(t11 * T(64));
+  const T t6 = meetc::multiply_add<T>(X.N.z, t2, meetc::multiply_add<T>(X.N.y, t1, X.N.x * t0));
+  const T t7 = meetc::multiply_add<T>(X.N.z, t5, meetc::multiply_add<T>(X.N.y, t4, X.N.x * t3));
+  const T t8 = meetc::multiply_add<T>(-t3, t6, t0 * t7);
+  const T t9 = meetc::multiply_add<T>(-t4, t6, t1 * t7);
+  const T t10 = meetc::multiply_add<T>(-t5, t6, t2 * t7);
+  const T t11 = meetc::multiply_add<T>(t10, t10, meetc::multiply_add<T>(t9, t9, t8 * t8));
+  return -(meetc::multiply_add<T>(X.r * X.r, t7 * t7, -t11) * meetc::number<T>(64));
 }
 
 // norm2(meet(circle, line)) from stored numbers, for many pairs. Within ((1 + u)^18 - 1) M of the exact value.
@@ -76,28 +78,31 @@ template <class T> MEETC_HD inline T norm2_meet(const circle<T> &X, const line<T
 struct norm2_meet_circle_line {
   static constexpr int fields_a = 1, fields_b = 3;
   // 1 multiplication, 0 additions.
-  template <class T> MEETC_HD static void object_a(const circle<T> &X, T *f) {
+  template <class T> MEETC_HD static constexpr void object_a(const circle<T> &X,
+      T *f) noexcept(meetc::is_built_in<T>) {
     f[0] = X.r * X.r;
   }
   // 0 multiplications, 3 additions.
-  template <class T> MEETC_HD static void object_b(const line<T> &Y, T *f) {
+  template <class T> MEETC_HD static constexpr void object_b(const line<T> &Y,
+      T *f) noexcept(meetc::is_built_in<T>) {
     f[0] = Y.q.x - Y.p.x;
     f[1] = Y.q.y - Y.p.y;
     f[2] = Y.q.z - Y.p.z;
   }
   // 17 multiplications, 13 additions, 1 scaling by a power of two, 5 negations.
-  template <class T> MEETC_HD static T pair(const circle<T> &X, const T *fa, const line<T> &Y, const T *fb) {
+  template <class T> MEETC_HD static constexpr T pair(const circle<T> &X, const T *fa, const line<T> &Y,
+      const T *fb) noexcept(meetc::is_built_in<T>) {
     const T t0 = Y.p.x - X.c.x;
     const T t1 = Y.p.y - X.c.y;
     const T t2 = Y.p.z - X.c.z;
-    const T t3 = meetc::multiply_add(X.N.z, t2, meetc::multiply_add(X.N.y, t1, X.N.x * t0));
-    const T t4 = meetc::multiply_add(X.N.z, fb[2], meetc::multiply_add(X.N.y, fb[1], X.N.x * fb[0]));
-    const T t5 = meetc::multiply_add(-fb[0], t3, t0 * t4);
-    const T t6 = meetc::multiply_add(-fb[1], t3, t1 * t4);
-    const T t7 = meetc::multiply_add(-fb[2], t3, t2 * t4);
-    const T t8 = meetc::multiply_add(fa[0], t4 * t4, -meetc::multiply_add(t7, t7, meetc::multiply_add(t6, t6,
-        t5 * t5)));
-    return -(t8 * T(64));
+    const T t3 = meetc::multiply_add<T>(X.N.z, t2, meetc::multiply_add<T>(X.N.y, t1, X.N.x * t0));
+    const T t4 = meetc::multiply_add<T>(X.N.z, fb[2], meetc::multiply_add<T>(X.N.y, fb[1], X.N.x * fb[0]));
+    const T t5 = meetc::multiply_add<T>(-fb[0], t3, t0 * t4);
+    const T t6 = meetc::multiply_add<T>(-fb[1], t3, t1 * t4);
+    const T t7 = meetc::multiply_add<T>(-fb[2], t3, t2 * t4);
+    const T t8 = meetc::multiply_add<T>(fa[0], t4 * t4, -meetc::multiply_add<T>(t7, t7,
+        meetc::multiply_add<T>(t6, t6, t5 * t5)));
+    return -(t8 * meetc::number<T>(64));
   }
 };
 

@@ -3,10 +3,10 @@
 #ifndef MEETC_3_cga_kernel_norm2_meet_circle_plane_HPP
 #define MEETC_3_cga_kernel_norm2_meet_circle_plane_HPP
 
-#include <meetc/support.hpp>
+#include <meetc/number/formula.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 16, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -32,39 +32,44 @@ MEETC_NAMESPACE(cga) {
 //       - 32*X.e2_n_nb*X.e3_n_nb*Y.e1_e2_n_nb*Y.e1_e3_n_nb + 16*X.e3_n_nb^2*Y.e1_e2_n_nb^2
 // 31 multiplications, 20 additions, 11 scalings by powers of two, 6 negations.
 // Within ((1 + u)^11 - 1) M of the exact value.
-template <class T> MEETC_HD inline T norm2_meet(const circle_blade<T> &X, const plane_blade<T> &Y) {
-  const T t0 = T(2) * meetc::multiply_add(X.e1_e2_nb, Y.e1_e2_e3_n, X.e1_e2_e3 * Y.e1_e2_n_nb);
-  const T t1 = T(2) * meetc::multiply_add(X.e1_e3_nb, Y.e1_e2_e3_n, X.e1_e2_e3 * Y.e1_e3_n_nb);
-  const T t2 = T(2) * meetc::multiply_add(X.e2_e3_nb, Y.e1_e2_e3_n, X.e1_e2_e3 * Y.e2_e3_n_nb);
-  const T t3 = meetc::multiply_add(X.e1_n_nb, Y.e1_e2_e3_n, meetc::multiply_add(-X.e1_e3_n, Y.e1_e2_n_nb,
-      X.e1_e2_n * Y.e1_e3_n_nb));
-  const T t4 = meetc::multiply_add(X.e2_n_nb, Y.e1_e2_e3_n, meetc::multiply_add(-X.e2_e3_n, Y.e1_e2_n_nb,
-      X.e1_e2_n * Y.e2_e3_n_nb));
-  const T t5 = meetc::multiply_add(X.e3_n_nb, Y.e1_e2_e3_n, meetc::multiply_add(-X.e2_e3_n, Y.e1_e3_n_nb,
-      X.e1_e3_n * Y.e2_e3_n_nb));
-  const T t6 = meetc::multiply_add(-X.e1_e3_nb, Y.e1_e2_n_nb, X.e1_e2_nb * Y.e1_e3_n_nb);
-  const T t7 = meetc::multiply_add(-X.e2_e3_nb, Y.e1_e2_n_nb, X.e1_e2_nb * Y.e2_e3_n_nb);
-  const T t8 = meetc::multiply_add(-X.e2_e3_nb, Y.e1_e3_n_nb, X.e1_e3_nb * Y.e2_e3_n_nb);
-  const T t9 = meetc::multiply_add(X.e3_n_nb, Y.e1_e2_n_nb, meetc::multiply_add(-X.e2_n_nb, Y.e1_e3_n_nb,
-      X.e1_n_nb * Y.e2_e3_n_nb));
-  const T t10 = T(2) * t9;
-  const T t11 = meetc::multiply_add(T(2) * t6, t3 * T(8), meetc::multiply_add(t2, t2, meetc::multiply_add(t1,
-      t1, t0 * t0)));
-  const T t12 = meetc::multiply_add(T(2) * t8, t5 * T(8), meetc::multiply_add(T(2) * t7, t4 * T(8), t11));
-  return -meetc::multiply_add(t10 * t10, T(-4), t12);
+template <class T> MEETC_HD constexpr T norm2_meet(const circle_blade<T> &X,
+    const plane_blade<T> &Y) noexcept(meetc::is_built_in<T>) {
+  const T t0 = meetc::multiply_add<T>(X.e1_e2_nb, Y.e1_e2_e3_n, X.e1_e2_e3 * Y.e1_e2_n_nb);
+  const T t1 = meetc::number<T>(2) * t0;
+  const T t2 = meetc::multiply_add<T>(X.e1_e3_nb, Y.e1_e2_e3_n, X.e1_e2_e3 * Y.e1_e3_n_nb);
+  const T t3 = meetc::number<T>(2) * t2;
+  const T t4 = meetc::multiply_add<T>(X.e2_e3_nb, Y.e1_e2_e3_n, X.e1_e2_e3 * Y.e2_e3_n_nb);
+  const T t5 = meetc::number<T>(2) * t4;
+  const T t6 = meetc::multiply_add<T>(-X.e1_e3_n, Y.e1_e2_n_nb, X.e1_e2_n * Y.e1_e3_n_nb);
+  const T t7 = meetc::multiply_add<T>(-X.e2_e3_n, Y.e1_e2_n_nb, X.e1_e2_n * Y.e2_e3_n_nb);
+  const T t8 = meetc::multiply_add<T>(-X.e2_e3_n, Y.e1_e3_n_nb, X.e1_e3_n * Y.e2_e3_n_nb);
+  const T t9 = meetc::multiply_add<T>(-X.e1_e3_nb, Y.e1_e2_n_nb, X.e1_e2_nb * Y.e1_e3_n_nb);
+  const T t10 = meetc::multiply_add<T>(-X.e2_e3_nb, Y.e1_e2_n_nb, X.e1_e2_nb * Y.e2_e3_n_nb);
+  const T t11 = meetc::multiply_add<T>(-X.e2_e3_nb, Y.e1_e3_n_nb, X.e1_e3_nb * Y.e2_e3_n_nb);
+  const T t12 = meetc::multiply_add<T>(-X.e2_n_nb, Y.e1_e3_n_nb, X.e1_n_nb * Y.e2_e3_n_nb);
+  const T t13 = meetc::number<T>(2) * meetc::multiply_add<T>(X.e3_n_nb, Y.e1_e2_n_nb, t12);
+  const T t14 = meetc::multiply_add<T>(X.e1_n_nb, Y.e1_e2_e3_n, t6) * meetc::number<T>(8);
+  const T t15 = meetc::multiply_add<T>(meetc::number<T>(2) * t9, t14, meetc::multiply_add<T>(t5, t5,
+      meetc::multiply_add<T>(t3, t3, t1 * t1)));
+  const T t16 = meetc::multiply_add<T>(X.e2_n_nb, Y.e1_e2_e3_n, t7) * meetc::number<T>(8);
+  const T t17 = meetc::multiply_add<T>(X.e3_n_nb, Y.e1_e2_e3_n, t8) * meetc::number<T>(8);
+  const T t18 = meetc::multiply_add<T>(meetc::number<T>(2) * t11, t17,
+      meetc::multiply_add<T>(meetc::number<T>(2) * t10, t16, t15));
+  return -meetc::multiply_add<T>(t13 * t13, meetc::number<T>(-4), t18);
 }
 
 // norm2(meet(circle, plane)) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 18 multiplications, 11 additions, 1 scaling by a power of two, 2 negations.
 // Within ((1 + u)^14 - 1) M of the exact value.
-template <class T> MEETC_HD inline T norm2_meet(const circle<T> &X, const plane<T> &Y) {
-  const T t0 = meetc::multiply_add(X.N.z, X.N.z, meetc::multiply_add(X.N.y, X.N.y, X.N.x * X.N.x));
-  const T t1 = meetc::multiply_add(Y.N.z, Y.N.z, meetc::multiply_add(Y.N.y, Y.N.y, Y.N.x * Y.N.x));
-  const T t2 = meetc::multiply_add(X.N.z, Y.N.z, meetc::multiply_add(X.N.y, Y.N.y, X.N.x * Y.N.x));
-  const T t3 = meetc::multiply_add(X.c.z, Y.N.z, meetc::multiply_add(X.c.y, Y.N.y, X.c.x * Y.N.x));
+template <class T> MEETC_HD constexpr T norm2_meet(const circle<T> &X,
+    const plane<T> &Y) noexcept(meetc::is_built_in<T>) {
+  const T t0 = meetc::multiply_add<T>(X.N.z, X.N.z, meetc::multiply_add<T>(X.N.y, X.N.y, X.N.x * X.N.x));
+  const T t1 = meetc::multiply_add<T>(Y.N.z, Y.N.z, meetc::multiply_add<T>(Y.N.y, Y.N.y, Y.N.x * Y.N.x));
+  const T t2 = meetc::multiply_add<T>(X.N.z, Y.N.z, meetc::multiply_add<T>(X.N.y, Y.N.y, X.N.x * Y.N.x));
+  const T t3 = meetc::multiply_add<T>(X.c.z, Y.N.z, meetc::multiply_add<T>(X.c.y, Y.N.y, X.c.x * Y.N.x));
   const T t4 = t3 - Y.d;
-  const T t5 = meetc::multiply_add(-t0, t4 * t4, X.r * (X.r * meetc::multiply_add(-t2, t2, t0 * t1)));
-  return t5 * T(4);
+  const T t5 = meetc::multiply_add<T>(-t0, t4 * t4, X.r * (X.r * meetc::multiply_add<T>(-t2, t2, t0 * t1)));
+  return t5 * meetc::number<T>(4);
 }
 
 // norm2(meet(circle, plane)) from stored numbers, for many pairs. Within ((1 + u)^15 - 1) M of the exact value.
@@ -73,23 +78,27 @@ template <class T> MEETC_HD inline T norm2_meet(const circle<T> &X, const plane<
 struct norm2_meet_circle_plane {
   static constexpr int fields_a = 2, fields_b = 1;
   // 4 multiplications, 2 additions.
-  template <class T> MEETC_HD static void object_a(const circle<T> &X, T *f) {
-    const T t0 = meetc::multiply_add(X.N.z, X.N.z, meetc::multiply_add(X.N.y, X.N.y, X.N.x * X.N.x));
+  template <class T> MEETC_HD static constexpr void object_a(const circle<T> &X,
+      T *f) noexcept(meetc::is_built_in<T>) {
+    const T t0 = meetc::multiply_add<T>(X.N.z, X.N.z, meetc::multiply_add<T>(X.N.y, X.N.y, X.N.x * X.N.x));
     f[0] = t0;
     f[1] = X.r * X.r;
   }
   // 3 multiplications, 2 additions.
-  template <class T> MEETC_HD static void object_b(const plane<T> &Y, T *f) {
-    const T t0 = meetc::multiply_add(Y.N.z, Y.N.z, meetc::multiply_add(Y.N.y, Y.N.y, Y.N.x * Y.N.x));
+  template <class T> MEETC_HD static constexpr void object_b(const plane<T> &Y,
+      T *f) noexcept(meetc::is_built_in<T>) {
+    const T t0 = meetc::multiply_add<T>(Y.N.z, Y.N.z, meetc::multiply_add<T>(Y.N.y, Y.N.y, Y.N.x * Y.N.x));
     f[0] = t0;
   }
   // 11 multiplications, 7 additions, 1 scaling by a power of two, 2 negations.
-  template <class T> MEETC_HD static T pair(const circle<T> &X, const T *fa, const plane<T> &Y, const T *fb) {
-    const T t0 = meetc::multiply_add(X.N.z, Y.N.z, meetc::multiply_add(X.N.y, Y.N.y, X.N.x * Y.N.x));
-    const T t1 = meetc::multiply_add(X.c.z, Y.N.z, meetc::multiply_add(X.c.y, Y.N.y, X.c.x * Y.N.x));
+  template <class T> MEETC_HD static constexpr T pair(const circle<T> &X, const T *fa, const plane<T> &Y,
+      const T *fb) noexcept(meetc::is_built_in<T>) {
+    const T t0 = meetc::multiply_add<T>(X.N.z, Y.N.z, meetc::multiply_add<T>(X.N.y, Y.N.y, X.N.x * Y.N.x));
+    const T t1 = meetc::multiply_add<T>(X.c.z, Y.N.z, meetc::multiply_add<T>(X.c.y, Y.N.y, X.c.x * Y.N.x));
     const T t2 = t1 - Y.d;
-    const T t3 = meetc::multiply_add(-(t0 * t0), fa[1], fa[0] * meetc::multiply_add(-t2, t2, fb[0] * fa[1]));
-    return t3 * T(4);
+    const T t3 = meetc::multiply_add<T>(-(t0 * t0), fa[1], fa[0] * meetc::multiply_add<T>(-t2, t2,
+        fb[0] * fa[1]));
+    return t3 * meetc::number<T>(4);
   }
 };
 

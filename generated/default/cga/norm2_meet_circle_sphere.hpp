@@ -3,10 +3,10 @@
 #ifndef MEETC_3_cga_kernel_norm2_meet_circle_sphere_HPP
 #define MEETC_3_cga_kernel_norm2_meet_circle_sphere_HPP
 
-#include <meetc/support.hpp>
+#include <meetc/number/formula.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 16, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -45,48 +45,51 @@ MEETC_NAMESPACE(cga) {
 //       - 16*X.e3_n_nb^2*Y.e1_e2_e3_n*Y.e1_e2_e3_nb + 16*X.e3_n_nb^2*Y.e1_e2_n_nb^2
 // 37 multiplications, 26 additions, 11 scalings by powers of two, 7 negations.
 // Within ((1 + u)^13 - 1) M of the exact value.
-template <class T> MEETC_HD inline T norm2_meet(const circle_blade<T> &X, const sphere_blade<T> &Y) {
-  const T t0 = meetc::multiply_add(-X.e1_e2_n, Y.e1_e2_e3_nb, X.e1_e2_e3 * Y.e1_e2_n_nb);
-  const T t1 = T(2) * meetc::multiply_add(X.e1_e2_nb, Y.e1_e2_e3_n, t0);
-  const T t2 = meetc::multiply_add(-X.e1_e3_n, Y.e1_e2_e3_nb, X.e1_e2_e3 * Y.e1_e3_n_nb);
-  const T t3 = T(2) * meetc::multiply_add(X.e1_e3_nb, Y.e1_e2_e3_n, t2);
-  const T t4 = meetc::multiply_add(-X.e2_e3_n, Y.e1_e2_e3_nb, X.e1_e2_e3 * Y.e2_e3_n_nb);
-  const T t5 = T(2) * meetc::multiply_add(X.e2_e3_nb, Y.e1_e2_e3_n, t4);
-  const T t6 = meetc::multiply_add(X.e1_n_nb, Y.e1_e2_e3_n, meetc::multiply_add(-X.e1_e3_n, Y.e1_e2_n_nb,
-      X.e1_e2_n * Y.e1_e3_n_nb));
-  const T t7 = meetc::multiply_add(X.e2_n_nb, Y.e1_e2_e3_n, meetc::multiply_add(-X.e2_e3_n, Y.e1_e2_n_nb,
-      X.e1_e2_n * Y.e2_e3_n_nb));
-  const T t8 = meetc::multiply_add(X.e3_n_nb, Y.e1_e2_e3_n, meetc::multiply_add(-X.e2_e3_n, Y.e1_e3_n_nb,
-      X.e1_e3_n * Y.e2_e3_n_nb));
-  const T t9 = meetc::multiply_add(-X.e1_e3_nb, Y.e1_e2_n_nb, X.e1_e2_nb * Y.e1_e3_n_nb);
-  const T t10 = meetc::multiply_add(-X.e2_e3_nb, Y.e1_e2_n_nb, X.e1_e2_nb * Y.e2_e3_n_nb);
-  const T t11 = meetc::multiply_add(-X.e2_e3_nb, Y.e1_e3_n_nb, X.e1_e3_nb * Y.e2_e3_n_nb);
-  const T t12 = meetc::multiply_add(X.e3_n_nb, Y.e1_e2_n_nb, meetc::multiply_add(-X.e2_n_nb, Y.e1_e3_n_nb,
-      X.e1_n_nb * Y.e2_e3_n_nb));
-  const T t13 = T(2) * t12;
-  const T t14 = meetc::multiply_add(T(2) * meetc::multiply_add(X.e1_n_nb, Y.e1_e2_e3_nb, t9), t6 * T(8),
-      meetc::multiply_add(t5, t5, meetc::multiply_add(t3, t3, t1 * t1)));
-  const T t15 = meetc::multiply_add(T(2) * meetc::multiply_add(X.e2_n_nb, Y.e1_e2_e3_nb, t10), t7 * T(8),
-      t14);
-  const T t16 = meetc::multiply_add(T(2) * meetc::multiply_add(X.e3_n_nb, Y.e1_e2_e3_nb, t11), t8 * T(8),
-      t15);
-  return -meetc::multiply_add(t13 * t13, T(-4), t16);
+template <class T> MEETC_HD constexpr T norm2_meet(const circle_blade<T> &X,
+    const sphere_blade<T> &Y) noexcept(meetc::is_built_in<T>) {
+  const T t0 = meetc::multiply_add<T>(-X.e1_e2_n, Y.e1_e2_e3_nb, X.e1_e2_e3 * Y.e1_e2_n_nb);
+  const T t1 = meetc::number<T>(2) * meetc::multiply_add<T>(X.e1_e2_nb, Y.e1_e2_e3_n, t0);
+  const T t2 = meetc::multiply_add<T>(-X.e1_e3_n, Y.e1_e2_e3_nb, X.e1_e2_e3 * Y.e1_e3_n_nb);
+  const T t3 = meetc::number<T>(2) * meetc::multiply_add<T>(X.e1_e3_nb, Y.e1_e2_e3_n, t2);
+  const T t4 = meetc::multiply_add<T>(-X.e2_e3_n, Y.e1_e2_e3_nb, X.e1_e2_e3 * Y.e2_e3_n_nb);
+  const T t5 = meetc::number<T>(2) * meetc::multiply_add<T>(X.e2_e3_nb, Y.e1_e2_e3_n, t4);
+  const T t6 = meetc::multiply_add<T>(-X.e1_e3_n, Y.e1_e2_n_nb, X.e1_e2_n * Y.e1_e3_n_nb);
+  const T t7 = meetc::multiply_add<T>(-X.e2_e3_n, Y.e1_e2_n_nb, X.e1_e2_n * Y.e2_e3_n_nb);
+  const T t8 = meetc::multiply_add<T>(-X.e2_e3_n, Y.e1_e3_n_nb, X.e1_e3_n * Y.e2_e3_n_nb);
+  const T t9 = meetc::multiply_add<T>(-X.e1_e3_nb, Y.e1_e2_n_nb, X.e1_e2_nb * Y.e1_e3_n_nb);
+  const T t10 = meetc::number<T>(2) * meetc::multiply_add<T>(X.e1_n_nb, Y.e1_e2_e3_nb, t9);
+  const T t11 = meetc::multiply_add<T>(-X.e2_e3_nb, Y.e1_e2_n_nb, X.e1_e2_nb * Y.e2_e3_n_nb);
+  const T t12 = meetc::number<T>(2) * meetc::multiply_add<T>(X.e2_n_nb, Y.e1_e2_e3_nb, t11);
+  const T t13 = meetc::multiply_add<T>(-X.e2_e3_nb, Y.e1_e3_n_nb, X.e1_e3_nb * Y.e2_e3_n_nb);
+  const T t14 = meetc::number<T>(2) * meetc::multiply_add<T>(X.e3_n_nb, Y.e1_e2_e3_nb, t13);
+  const T t15 = meetc::multiply_add<T>(-X.e2_n_nb, Y.e1_e3_n_nb, X.e1_n_nb * Y.e2_e3_n_nb);
+  const T t16 = meetc::number<T>(2) * meetc::multiply_add<T>(X.e3_n_nb, Y.e1_e2_n_nb, t15);
+  const T t17 = meetc::multiply_add<T>(X.e1_n_nb, Y.e1_e2_e3_n, t6) * meetc::number<T>(8);
+  const T t18 = meetc::multiply_add<T>(t10, t17, meetc::multiply_add<T>(t5, t5, meetc::multiply_add<T>(t3, t3,
+      t1 * t1)));
+  const T t19 = meetc::multiply_add<T>(X.e2_n_nb, Y.e1_e2_e3_n, t7) * meetc::number<T>(8);
+  const T t20 = meetc::multiply_add<T>(X.e3_n_nb, Y.e1_e2_e3_n, t8) * meetc::number<T>(8);
+  const T t21 = meetc::multiply_add<T>(t16 * t16, meetc::number<T>(-4), meetc::multiply_add<T>(t14, t20,
+      meetc::multiply_add<T>(t12, t19, t18)));
+  return -t21;
 }
 
 // norm2(meet(circle, sphere)) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 16 multiplications, 13 additions, 2 scalings by powers of two, 2 negations.
 // Within ((1 + u)^18 - 1) M of the exact value.
-template <class T> MEETC_HD inline T norm2_meet(const circle<T> &X, const sphere<T> &Y) {
-  const T t0 = meetc::multiply_add(X.N.z, X.N.z, meetc::multiply_add(X.N.y, X.N.y, X.N.x * X.N.x));
+template <class T> MEETC_HD constexpr T norm2_meet(const circle<T> &X,
+    const sphere<T> &Y) noexcept(meetc::is_built_in<T>) {
+  const T t0 = meetc::multiply_add<T>(X.N.z, X.N.z, meetc::multiply_add<T>(X.N.y, X.N.y, X.N.x * X.N.x));
   const T t1 = Y.c.x - X.c.x;
   const T t2 = Y.c.y - X.c.y;
   const T t3 = Y.c.z - X.c.z;
-  const T t4 = meetc::multiply_add(X.N.z, t3, meetc::multiply_add(X.N.y, t2, X.N.x * t1));
+  const T t4 = meetc::multiply_add<T>(X.N.z, t3, meetc::multiply_add<T>(X.N.y, t2, X.N.x * t1));
   const T t5 = Y.r * Y.r;
   const T t6 = X.r * X.r;
-  const T t7 = (t5 + t6) - meetc::multiply_add(t3, t3, meetc::multiply_add(t2, t2, t1 * t1));
-  const T t8 = meetc::multiply_add(t6 * meetc::multiply_add(-t4, t4, t0 * t5), T(-4), t0 * (t7 * t7));
-  return -(T(4) * t8);
+  const T t7 = (t5 + t6) - meetc::multiply_add<T>(t3, t3, meetc::multiply_add<T>(t2, t2, t1 * t1));
+  const T t8 = meetc::multiply_add<T>(t6 * meetc::multiply_add<T>(-t4, t4, t0 * t5), meetc::number<T>(-4),
+      t0 * (t7 * t7));
+  return -(meetc::number<T>(4) * t8);
 }
 
 // norm2(meet(circle, sphere)) from stored numbers, for many pairs. Within ((1 + u)^18 - 1) M of the exact value.
@@ -95,26 +98,28 @@ template <class T> MEETC_HD inline T norm2_meet(const circle<T> &X, const sphere
 struct norm2_meet_circle_sphere {
   static constexpr int fields_a = 2, fields_b = 1;
   // 4 multiplications, 2 additions.
-  template <class T> MEETC_HD static void object_a(const circle<T> &X, T *f) {
-    const T t0 = meetc::multiply_add(X.N.z, X.N.z, meetc::multiply_add(X.N.y, X.N.y, X.N.x * X.N.x));
+  template <class T> MEETC_HD static constexpr void object_a(const circle<T> &X,
+      T *f) noexcept(meetc::is_built_in<T>) {
+    const T t0 = meetc::multiply_add<T>(X.N.z, X.N.z, meetc::multiply_add<T>(X.N.y, X.N.y, X.N.x * X.N.x));
     f[0] = t0;
     f[1] = X.r * X.r;
   }
   // 1 multiplication, 0 additions.
-  template <class T> MEETC_HD static void object_b(const sphere<T> &Y, T *f) {
+  template <class T> MEETC_HD static constexpr void object_b(const sphere<T> &Y,
+      T *f) noexcept(meetc::is_built_in<T>) {
     f[0] = Y.r * Y.r;
   }
   // 11 multiplications, 11 additions, 2 scalings by powers of two, 2 negations.
-  template <class T> MEETC_HD static T pair(const circle<T> &X, const T *fa, const sphere<T> &Y,
-      const T *fb) {
+  template <class T> MEETC_HD static constexpr T pair(const circle<T> &X, const T *fa, const sphere<T> &Y,
+      const T *fb) noexcept(meetc::is_built_in<T>) {
     const T t0 = Y.c.x - X.c.x;
     const T t1 = Y.c.y - X.c.y;
     const T t2 = Y.c.z - X.c.z;
-    const T t3 = meetc::multiply_add(X.N.z, t2, meetc::multiply_add(X.N.y, t1, X.N.x * t0));
-    const T t4 = (fa[1] + fb[0]) - meetc::multiply_add(t2, t2, meetc::multiply_add(t1, t1, t0 * t0));
-    const T t5 = meetc::multiply_add(fa[1] * meetc::multiply_add(-t3, t3, fa[0] * fb[0]), T(-4),
-        fa[0] * (t4 * t4));
-    return -(T(4) * t5);
+    const T t3 = meetc::multiply_add<T>(X.N.z, t2, meetc::multiply_add<T>(X.N.y, t1, X.N.x * t0));
+    const T t4 = (fa[1] + fb[0]) - meetc::multiply_add<T>(t2, t2, meetc::multiply_add<T>(t1, t1, t0 * t0));
+    const T t5 = meetc::multiply_add<T>(fa[1] * meetc::multiply_add<T>(-t3, t3, fa[0] * fb[0]),
+        meetc::number<T>(-4), fa[0] * (t4 * t4));
+    return -(meetc::number<T>(4) * t5);
   }
 };
 

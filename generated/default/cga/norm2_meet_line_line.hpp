@@ -3,10 +3,10 @@
 #ifndef MEETC_3_cga_kernel_norm2_meet_line_line_HPP
 #define MEETC_3_cga_kernel_norm2_meet_line_line_HPP
 
-#include <meetc/support.hpp>
+#include <meetc/number/formula.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 16, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -14,17 +14,17 @@ MEETC_NAMESPACE(cga) {
 //   0
 // 0 multiplications, 0 additions.
 // These are the exact value.
-template <class T> MEETC_HD inline T norm2_meet([[maybe_unused]] const line_blade<T> &X,
-    [[maybe_unused]] const line_blade<T> &Y) {
-  return T(0);
+template <class T> MEETC_HD constexpr T norm2_meet([[maybe_unused]] const line_blade<T> &X,
+    [[maybe_unused]] const line_blade<T> &Y) noexcept(meetc::is_built_in<T>) {
+  return meetc::number<T>(0);
 }
 
 // norm2(meet(line, line)) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 0 multiplications, 0 additions.
 // These are the exact value.
-template <class T> MEETC_HD inline T norm2_meet([[maybe_unused]] const line<T> &X,
-    [[maybe_unused]] const line<T> &Y) {
-  return T(0);
+template <class T> MEETC_HD constexpr T norm2_meet([[maybe_unused]] const line<T> &X,
+    [[maybe_unused]] const line<T> &Y) noexcept(meetc::is_built_in<T>) {
+  return meetc::number<T>(0);
 }
 
 } // namespace cga

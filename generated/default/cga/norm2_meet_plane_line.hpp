@@ -3,10 +3,10 @@
 #ifndef MEETC_3_cga_kernel_norm2_meet_plane_line_HPP
 #define MEETC_3_cga_kernel_norm2_meet_plane_line_HPP
 
-#include <meetc/support.hpp>
+#include <meetc/number/formula.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 16, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -16,19 +16,21 @@ MEETC_NAMESPACE(cga) {
 //       - 32*X.e1_e3_n_nb*X.e2_e3_n_nb*Y.e1_n_nb*Y.e2_n_nb + 16*X.e2_e3_n_nb^2*Y.e1_n_nb^2
 // 4 multiplications, 2 additions, 1 scaling by a power of two, 1 negation.
 // Within ((1 + u)^7 - 1) M of the exact value.
-template <class T> MEETC_HD inline T norm2_meet(const plane_blade<T> &X, const line_blade<T> &Y) {
-  const T t0 = meetc::multiply_add(X.e2_e3_n_nb, Y.e1_n_nb, meetc::multiply_add(-X.e1_e3_n_nb, Y.e2_n_nb,
-      X.e1_e2_n_nb * Y.e3_n_nb));
-  return (t0 * t0) * T(16);
+template <class T> MEETC_HD constexpr T norm2_meet(const plane_blade<T> &X,
+    const line_blade<T> &Y) noexcept(meetc::is_built_in<T>) {
+  const T t0 = meetc::multiply_add<T>(-X.e1_e3_n_nb, Y.e2_n_nb, X.e1_e2_n_nb * Y.e3_n_nb);
+  const T t1 = meetc::multiply_add<T>(X.e2_e3_n_nb, Y.e1_n_nb, t0);
+  return (t1 * t1) * meetc::number<T>(16);
 }
 
 // norm2(meet(plane, line)) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 4 multiplications, 5 additions, 1 scaling by a power of two.
 // Within ((1 + u)^9 - 1) M of the exact value.
-template <class T> MEETC_HD inline T norm2_meet(const plane<T> &X, const line<T> &Y) {
-  const T t0 = meetc::multiply_add(Y.q.z - Y.p.z, X.N.z, meetc::multiply_add(Y.q.y - Y.p.y, X.N.y,
+template <class T> MEETC_HD constexpr T norm2_meet(const plane<T> &X,
+    const line<T> &Y) noexcept(meetc::is_built_in<T>) {
+  const T t0 = meetc::multiply_add<T>(Y.q.z - Y.p.z, X.N.z, meetc::multiply_add<T>(Y.q.y - Y.p.y, X.N.y,
       (Y.q.x - Y.p.x) * X.N.x));
-  return (t0 * t0) * T(16);
+  return (t0 * t0) * meetc::number<T>(16);
 }
 
 // norm2(meet(plane, line)) from stored numbers, for many pairs. Within ((1 + u)^9 - 1) M of the exact value.
@@ -37,19 +39,21 @@ template <class T> MEETC_HD inline T norm2_meet(const plane<T> &X, const line<T>
 struct norm2_meet_plane_line {
   static constexpr int fields_a = 0, fields_b = 3;
   // 0 multiplications, 0 additions.
-  template <class T> MEETC_HD static void object_a([[maybe_unused]] const plane<T> &X, T *) {
+  template <class T> MEETC_HD static constexpr void object_a([[maybe_unused]] const plane<T> &X,
+      T *) noexcept(meetc::is_built_in<T>) {
   }
   // 0 multiplications, 3 additions.
-  template <class T> MEETC_HD static void object_b(const line<T> &Y, T *f) {
+  template <class T> MEETC_HD static constexpr void object_b(const line<T> &Y,
+      T *f) noexcept(meetc::is_built_in<T>) {
     f[0] = Y.q.x - Y.p.x;
     f[1] = Y.q.y - Y.p.y;
     f[2] = Y.q.z - Y.p.z;
   }
   // 4 multiplications, 2 additions, 1 scaling by a power of two.
-  template <class T> MEETC_HD static T pair(const plane<T> &X, const T *, [[maybe_unused]] const line<T> &Y,
-      const T *fb) {
-    const T t0 = meetc::multiply_add(fb[2], X.N.z, meetc::multiply_add(fb[1], X.N.y, fb[0] * X.N.x));
-    return (t0 * t0) * T(16);
+  template <class T> MEETC_HD static constexpr T pair(const plane<T> &X, const T *,
+      [[maybe_unused]] const line<T> &Y, const T *fb) noexcept(meetc::is_built_in<T>) {
+    const T t0 = meetc::multiply_add<T>(fb[2], X.N.z, meetc::multiply_add<T>(fb[1], X.N.y, fb[0] * X.N.x));
+    return (t0 * t0) * meetc::number<T>(16);
   }
 };
 

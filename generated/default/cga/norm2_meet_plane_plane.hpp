@@ -3,10 +3,10 @@
 #ifndef MEETC_3_cga_kernel_norm2_meet_plane_plane_HPP
 #define MEETC_3_cga_kernel_norm2_meet_plane_plane_HPP
 
-#include <meetc/support.hpp>
+#include <meetc/number/formula.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 16, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -18,24 +18,27 @@ MEETC_NAMESPACE(cga) {
 //       + 16*X.e2_e3_n_nb^2*Y.e1_e2_n_nb^2 + 16*X.e2_e3_n_nb^2*Y.e1_e3_n_nb^2
 // 9 multiplications, 5 additions, 4 scalings by powers of two, 2 negations.
 // Within ((1 + u)^7 - 1) M of the exact value.
-template <class T> MEETC_HD inline T norm2_meet(const plane_blade<T> &X, const plane_blade<T> &Y) {
-  const T t0 = meetc::multiply_add(-X.e1_e3_n_nb, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e1_e3_n_nb);
-  const T t1 = T(2) * t0;
-  const T t2 = meetc::multiply_add(-X.e2_e3_n_nb, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e2_e3_n_nb);
-  const T t3 = T(2) * t2;
-  const T t4 = meetc::multiply_add(-X.e2_e3_n_nb, Y.e1_e3_n_nb, X.e1_e3_n_nb * Y.e2_e3_n_nb);
-  const T t5 = T(2) * t4;
-  return T(4) * meetc::multiply_add(t5, t5, meetc::multiply_add(t3, t3, t1 * t1));
+template <class T> MEETC_HD constexpr T norm2_meet(const plane_blade<T> &X,
+    const plane_blade<T> &Y) noexcept(meetc::is_built_in<T>) {
+  const T t0 = meetc::multiply_add<T>(-X.e1_e3_n_nb, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e1_e3_n_nb);
+  const T t1 = meetc::number<T>(2) * t0;
+  const T t2 = meetc::multiply_add<T>(-X.e2_e3_n_nb, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e2_e3_n_nb);
+  const T t3 = meetc::number<T>(2) * t2;
+  const T t4 = meetc::multiply_add<T>(-X.e2_e3_n_nb, Y.e1_e3_n_nb, X.e1_e3_n_nb * Y.e2_e3_n_nb);
+  const T t5 = meetc::number<T>(2) * t4;
+  const T t6 = meetc::number<T>(4) * meetc::multiply_add<T>(t5, t5, meetc::multiply_add<T>(t3, t3, t1 * t1));
+  return t6;
 }
 
 // norm2(meet(plane, plane)) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 9 multiplications, 5 additions, 3 negations.
 // Within ((1 + u)^7 - 1) M of the exact value.
-template <class T> MEETC_HD inline T norm2_meet(const plane<T> &X, const plane<T> &Y) {
-  const T t0 = meetc::multiply_add(-X.N.z, Y.N.y, X.N.y * Y.N.z);
-  const T t1 = meetc::multiply_add(-X.N.x, Y.N.z, X.N.z * Y.N.x);
-  const T t2 = meetc::multiply_add(-X.N.y, Y.N.x, X.N.x * Y.N.y);
-  return meetc::multiply_add(t2, t2, meetc::multiply_add(t1, t1, t0 * t0));
+template <class T> MEETC_HD constexpr T norm2_meet(const plane<T> &X,
+    const plane<T> &Y) noexcept(meetc::is_built_in<T>) {
+  const T t0 = meetc::multiply_add<T>(-X.N.z, Y.N.y, X.N.y * Y.N.z);
+  const T t1 = meetc::multiply_add<T>(-X.N.x, Y.N.z, X.N.z * Y.N.x);
+  const T t2 = meetc::multiply_add<T>(-X.N.y, Y.N.x, X.N.x * Y.N.y);
+  return meetc::multiply_add<T>(t2, t2, meetc::multiply_add<T>(t1, t1, t0 * t0));
 }
 
 // norm2(meet(plane, plane)) from stored numbers, for many pairs. Within ((1 + u)^8 - 1) M of the exact value.
@@ -44,19 +47,22 @@ template <class T> MEETC_HD inline T norm2_meet(const plane<T> &X, const plane<T
 struct norm2_meet_plane_plane {
   static constexpr int fields_a = 1, fields_b = 1;
   // 3 multiplications, 2 additions.
-  template <class T> MEETC_HD static void object_a(const plane<T> &X, T *f) {
-    const T t0 = meetc::multiply_add(X.N.z, X.N.z, meetc::multiply_add(X.N.y, X.N.y, X.N.x * X.N.x));
+  template <class T> MEETC_HD static constexpr void object_a(const plane<T> &X,
+      T *f) noexcept(meetc::is_built_in<T>) {
+    const T t0 = meetc::multiply_add<T>(X.N.z, X.N.z, meetc::multiply_add<T>(X.N.y, X.N.y, X.N.x * X.N.x));
     f[0] = t0;
   }
   // 3 multiplications, 2 additions.
-  template <class T> MEETC_HD static void object_b(const plane<T> &Y, T *f) {
-    const T t0 = meetc::multiply_add(Y.N.z, Y.N.z, meetc::multiply_add(Y.N.y, Y.N.y, Y.N.x * Y.N.x));
+  template <class T> MEETC_HD static constexpr void object_b(const plane<T> &Y,
+      T *f) noexcept(meetc::is_built_in<T>) {
+    const T t0 = meetc::multiply_add<T>(Y.N.z, Y.N.z, meetc::multiply_add<T>(Y.N.y, Y.N.y, Y.N.x * Y.N.x));
     f[0] = t0;
   }
   // 5 multiplications, 3 additions, 1 negation.
-  template <class T> MEETC_HD static T pair(const plane<T> &X, const T *fa, const plane<T> &Y, const T *fb) {
-    const T t0 = meetc::multiply_add(X.N.z, Y.N.z, meetc::multiply_add(X.N.y, Y.N.y, X.N.x * Y.N.x));
-    return meetc::multiply_add(-t0, t0, fa[0] * fb[0]);
+  template <class T> MEETC_HD static constexpr T pair(const plane<T> &X, const T *fa, const plane<T> &Y,
+      const T *fb) noexcept(meetc::is_built_in<T>) {
+    const T t0 = meetc::multiply_add<T>(X.N.z, Y.N.z, meetc::multiply_add<T>(X.N.y, Y.N.y, X.N.x * Y.N.x));
+    return meetc::multiply_add<T>(-t0, t0, fa[0] * fb[0]);
   }
 };
 

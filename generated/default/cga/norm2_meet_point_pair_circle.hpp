@@ -3,10 +3,10 @@
 #ifndef MEETC_3_cga_kernel_norm2_meet_point_pair_circle_HPP
 #define MEETC_3_cga_kernel_norm2_meet_point_pair_circle_HPP
 
-#include <meetc/support.hpp>
+#include <meetc/number/formula.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 16, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -40,33 +40,35 @@ MEETC_NAMESPACE(cga) {
 //       - 8*X.e3_nb*X.n_nb*Y.e1_e2_e3*Y.e1_e2_n + 4*X.n_nb^2*Y.e1_e2_e3^2
 // 11 multiplications, 9 additions, 1 scaling by a power of two, 4 negations.
 // Within ((1 + u)^21 - 1) M of the exact value.
-template <class T> MEETC_HD inline T norm2_meet(const point_pair_blade<T> &X, const circle_blade<T> &Y) {
-  const T t0 = meetc::multiply_add(X.e1_n, Y.e2_e3_nb, meetc::multiply_add(-X.e1_e3, Y.e2_n_nb,
+template <class T> MEETC_HD constexpr T norm2_meet(const point_pair_blade<T> &X,
+    const circle_blade<T> &Y) noexcept(meetc::is_built_in<T>) {
+  const T t0 = meetc::multiply_add<T>(X.e1_n, Y.e2_e3_nb, meetc::multiply_add<T>(-X.e1_e3, Y.e2_n_nb,
       X.e1_e2 * Y.e3_n_nb));
-  const T t1 = meetc::multiply_add(X.e2_e3, Y.e1_n_nb, meetc::multiply_add(-X.e1_nb, Y.e2_e3_n, t0));
-  const T t2 = meetc::multiply_add(X.e2_nb, Y.e1_e3_n, meetc::multiply_add(-X.e2_n, Y.e1_e3_nb, t1));
-  const T t3 = meetc::multiply_add(-X.e3_nb, Y.e1_e2_n, meetc::multiply_add(X.e3_n, Y.e1_e2_nb, t2));
-  const T t4 = meetc::multiply_add(X.n_nb, Y.e1_e2_e3, t3);
-  return (t4 * t4) * T(4);
+  const T t1 = meetc::multiply_add<T>(X.e2_e3, Y.e1_n_nb, meetc::multiply_add<T>(-X.e1_nb, Y.e2_e3_n, t0));
+  const T t2 = meetc::multiply_add<T>(X.e2_nb, Y.e1_e3_n, meetc::multiply_add<T>(-X.e2_n, Y.e1_e3_nb, t1));
+  const T t3 = meetc::multiply_add<T>(-X.e3_nb, Y.e1_e2_n, meetc::multiply_add<T>(X.e3_n, Y.e1_e2_nb, t2));
+  const T t4 = meetc::multiply_add<T>(X.n_nb, Y.e1_e2_e3, t3);
+  return (t4 * t4) * meetc::number<T>(4);
 }
 
 // norm2(meet(point_pair, circle)) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 19 multiplications, 19 additions, 2 scalings by powers of two, 1 negation.
 // Within ((1 + u)^27 - 1) M of the exact value.
-template <class T> MEETC_HD inline T norm2_meet(const point_pair<T> &X, const circle<T> &Y) {
+template <class T> MEETC_HD constexpr T norm2_meet(const point_pair<T> &X,
+    const circle<T> &Y) noexcept(meetc::is_built_in<T>) {
   const T t0 = X.q.x - X.p.x;
   const T t1 = X.q.y - X.p.y;
   const T t2 = X.q.z - X.p.z;
-  const T t3 = meetc::multiply_add(t2, Y.N.z, meetc::multiply_add(t1, Y.N.y, t0 * Y.N.x));
+  const T t3 = meetc::multiply_add<T>(t2, Y.N.z, meetc::multiply_add<T>(t1, Y.N.y, t0 * Y.N.x));
   const T t4 = Y.c.x - X.p.x;
   const T t5 = Y.c.y - X.p.y;
   const T t6 = Y.c.z - X.p.z;
-  const T t7 = meetc::multiply_add(Y.N.z, t6, meetc::multiply_add(Y.N.y, t5, Y.N.x * t4));
-  const T t8 = meetc::multiply_add(meetc::multiply_add(t2, t6, meetc::multiply_add(t1, t5, t0 * t4)), T(2),
-      -meetc::multiply_add(t2, t2, meetc::multiply_add(t1, t1, t0 * t0)));
-  const T t9 = Y.r * Y.r - meetc::multiply_add(t6, t6, meetc::multiply_add(t5, t5, t4 * t4));
-  const T t10 = meetc::multiply_add(t3, t9, t7 * t8);
-  return (t10 * t10) * T(16);
+  const T t7 = meetc::multiply_add<T>(Y.N.z, t6, meetc::multiply_add<T>(Y.N.y, t5, Y.N.x * t4));
+  const T t8 = meetc::multiply_add<T>(meetc::multiply_add<T>(t2, t6, meetc::multiply_add<T>(t1, t5, t0 * t4)),
+      meetc::number<T>(2), -meetc::multiply_add<T>(t2, t2, meetc::multiply_add<T>(t1, t1, t0 * t0)));
+  const T t9 = Y.r * Y.r - meetc::multiply_add<T>(t6, t6, meetc::multiply_add<T>(t5, t5, t4 * t4));
+  const T t10 = meetc::multiply_add<T>(t3, t9, t7 * t8);
+  return (t10 * t10) * meetc::number<T>(16);
 }
 
 // norm2(meet(point_pair, circle)) from stored numbers, for many pairs. Within ((1 + u)^27 - 1) M of the exact value.
@@ -75,31 +77,33 @@ template <class T> MEETC_HD inline T norm2_meet(const point_pair<T> &X, const ci
 struct norm2_meet_point_pair_circle {
   static constexpr int fields_a = 4, fields_b = 1;
   // 3 multiplications, 5 additions.
-  template <class T> MEETC_HD static void object_a(const point_pair<T> &X, T *f) {
+  template <class T> MEETC_HD static constexpr void object_a(const point_pair<T> &X,
+      T *f) noexcept(meetc::is_built_in<T>) {
     const T t0 = X.q.x - X.p.x;
     const T t1 = X.q.y - X.p.y;
     const T t2 = X.q.z - X.p.z;
     f[0] = t0;
     f[1] = t1;
     f[2] = t2;
-    f[3] = meetc::multiply_add(t2, t2, meetc::multiply_add(t1, t1, t0 * t0));
+    f[3] = meetc::multiply_add<T>(t2, t2, meetc::multiply_add<T>(t1, t1, t0 * t0));
   }
   // 1 multiplication, 0 additions.
-  template <class T> MEETC_HD static void object_b(const circle<T> &Y, T *f) {
+  template <class T> MEETC_HD static constexpr void object_b(const circle<T> &Y,
+      T *f) noexcept(meetc::is_built_in<T>) {
     f[0] = Y.r * Y.r;
   }
   // 15 multiplications, 14 additions, 2 scalings by powers of two, 1 negation.
-  template <class T> MEETC_HD static T pair(const point_pair<T> &X, const T *fa, const circle<T> &Y,
-      const T *fb) {
-    const T t0 = meetc::multiply_add(fa[2], Y.N.z, meetc::multiply_add(fa[1], Y.N.y, fa[0] * Y.N.x));
+  template <class T> MEETC_HD static constexpr T pair(const point_pair<T> &X, const T *fa, const circle<T> &Y,
+      const T *fb) noexcept(meetc::is_built_in<T>) {
+    const T t0 = meetc::multiply_add<T>(fa[2], Y.N.z, meetc::multiply_add<T>(fa[1], Y.N.y, fa[0] * Y.N.x));
     const T t1 = Y.c.x - X.p.x;
     const T t2 = Y.c.y - X.p.y;
     const T t3 = Y.c.z - X.p.z;
-    const T t4 = meetc::multiply_add(Y.N.z, t3, meetc::multiply_add(Y.N.y, t2, Y.N.x * t1));
-    const T t5 = meetc::multiply_add(fa[2], t3, meetc::multiply_add(fa[1], t2, fa[0] * t1));
-    const T t6 = fb[0] - meetc::multiply_add(t3, t3, meetc::multiply_add(t2, t2, t1 * t1));
-    const T t7 = meetc::multiply_add(t0, t6, t4 * meetc::multiply_add(t5, T(2), -fa[3]));
-    return (t7 * t7) * T(16);
+    const T t4 = meetc::multiply_add<T>(Y.N.z, t3, meetc::multiply_add<T>(Y.N.y, t2, Y.N.x * t1));
+    const T t5 = meetc::multiply_add<T>(fa[2], t3, meetc::multiply_add<T>(fa[1], t2, fa[0] * t1));
+    const T t6 = fb[0] - meetc::multiply_add<T>(t3, t3, meetc::multiply_add<T>(t2, t2, t1 * t1));
+    const T t7 = meetc::multiply_add<T>(t0, t6, t4 * meetc::multiply_add<T>(t5, meetc::number<T>(2), -fa[3]));
+    return (t7 * t7) * meetc::number<T>(16);
   }
 };
 

@@ -3,10 +3,10 @@
 #ifndef MEETC_3_cga_kernel_norm2_meet_point_pair_plane_HPP
 #define MEETC_3_cga_kernel_norm2_meet_point_pair_plane_HPP
 
-#include <meetc/support.hpp>
+#include <meetc/number/formula.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 16, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -28,36 +28,38 @@ MEETC_NAMESPACE(cga) {
 //       - 16*X.e3_nb*X.n_nb*Y.e1_e2_e3_n*Y.e1_e2_n_nb
 // 20 multiplications, 14 additions, 5 scalings by powers of two, 7 negations.
 // Within ((1 + u)^10 - 1) M of the exact value.
-template <class T> MEETC_HD inline T norm2_meet(const point_pair_blade<T> &X, const plane_blade<T> &Y) {
-  const T t0 = meetc::multiply_add(-X.e1_nb, Y.e1_e2_e3_n, meetc::multiply_add(-X.e1_e3, Y.e1_e2_n_nb,
+template <class T> MEETC_HD constexpr T norm2_meet(const point_pair_blade<T> &X,
+    const plane_blade<T> &Y) noexcept(meetc::is_built_in<T>) {
+  const T t0 = meetc::multiply_add<T>(-X.e1_nb, Y.e1_e2_e3_n, meetc::multiply_add<T>(-X.e1_e3, Y.e1_e2_n_nb,
       X.e1_e2 * Y.e1_e3_n_nb));
-  const T t1 = T(2) * t0;
-  const T t2 = meetc::multiply_add(-X.e2_nb, Y.e1_e2_e3_n, meetc::multiply_add(-X.e2_e3, Y.e1_e2_n_nb,
+  const T t1 = meetc::number<T>(2) * t0;
+  const T t2 = meetc::multiply_add<T>(-X.e2_nb, Y.e1_e2_e3_n, meetc::multiply_add<T>(-X.e2_e3, Y.e1_e2_n_nb,
       X.e1_e2 * Y.e2_e3_n_nb));
-  const T t3 = T(2) * t2;
-  const T t4 = meetc::multiply_add(-X.e3_nb, Y.e1_e2_e3_n, meetc::multiply_add(-X.e2_e3, Y.e1_e3_n_nb,
+  const T t3 = meetc::number<T>(2) * t2;
+  const T t4 = meetc::multiply_add<T>(-X.e3_nb, Y.e1_e2_e3_n, meetc::multiply_add<T>(-X.e2_e3, Y.e1_e3_n_nb,
       X.e1_e3 * Y.e2_e3_n_nb));
-  const T t5 = T(2) * t4;
-  const T t6 = meetc::multiply_add(X.e3_n, Y.e1_e2_n_nb, meetc::multiply_add(-X.e2_n, Y.e1_e3_n_nb,
+  const T t5 = meetc::number<T>(2) * t4;
+  const T t6 = meetc::multiply_add<T>(X.e3_n, Y.e1_e2_n_nb, meetc::multiply_add<T>(-X.e2_n, Y.e1_e3_n_nb,
       X.e1_n * Y.e2_e3_n_nb));
-  const T t7 = meetc::multiply_add(X.e3_nb, Y.e1_e2_n_nb, meetc::multiply_add(-X.e2_nb, Y.e1_e3_n_nb,
+  const T t7 = meetc::multiply_add<T>(X.e3_nb, Y.e1_e2_n_nb, meetc::multiply_add<T>(-X.e2_nb, Y.e1_e3_n_nb,
       X.e1_nb * Y.e2_e3_n_nb));
-  const T t8 = meetc::multiply_add(T(2) * t7, meetc::multiply_add(-X.n_nb, Y.e1_e2_e3_n, t6) * T(8),
-      meetc::multiply_add(t5, t5, meetc::multiply_add(t3, t3, t1 * t1)));
+  const T t8 = meetc::multiply_add<T>(meetc::number<T>(2) * t7, meetc::multiply_add<T>(-X.n_nb, Y.e1_e2_e3_n,
+      t6) * meetc::number<T>(8), meetc::multiply_add<T>(t5, t5, meetc::multiply_add<T>(t3, t3, t1 * t1)));
   return t8;
 }
 
 // norm2(meet(point_pair, plane)) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 11 multiplications, 11 additions, 1 scaling by a power of two.
 // Within ((1 + u)^15 - 1) M of the exact value.
-template <class T> MEETC_HD inline T norm2_meet(const point_pair<T> &X, const plane<T> &Y) {
-  const T t0 = meetc::multiply_add(Y.N.z, X.p.z, meetc::multiply_add(Y.N.y, X.p.y, Y.N.x * X.p.x));
+template <class T> MEETC_HD constexpr T norm2_meet(const point_pair<T> &X,
+    const plane<T> &Y) noexcept(meetc::is_built_in<T>) {
+  const T t0 = meetc::multiply_add<T>(Y.N.z, X.p.z, meetc::multiply_add<T>(Y.N.y, X.p.y, Y.N.x * X.p.x));
   const T t1 = X.q.x - X.p.x;
   const T t2 = X.q.y - X.p.y;
   const T t3 = X.q.z - X.p.z;
-  const T t4 = (t0 - Y.d) * meetc::multiply_add(t3, t3, meetc::multiply_add(t2, t2, t1 * t1));
-  const T t5 = meetc::multiply_add(Y.N.z, X.q.z, meetc::multiply_add(Y.N.y, X.q.y, Y.N.x * X.q.x));
-  return (t4 * (t5 - Y.d)) * T(16);
+  const T t4 = (t0 - Y.d) * meetc::multiply_add<T>(t3, t3, meetc::multiply_add<T>(t2, t2, t1 * t1));
+  const T t5 = meetc::multiply_add<T>(Y.N.z, X.q.z, meetc::multiply_add<T>(Y.N.y, X.q.y, Y.N.x * X.q.x));
+  return (t4 * (t5 - Y.d)) * meetc::number<T>(16);
 }
 
 // norm2(meet(point_pair, plane)) from stored numbers, for many pairs. Within ((1 + u)^15 - 1) M of the exact value.
@@ -66,21 +68,23 @@ template <class T> MEETC_HD inline T norm2_meet(const point_pair<T> &X, const pl
 struct norm2_meet_point_pair_plane {
   static constexpr int fields_a = 1, fields_b = 0;
   // 3 multiplications, 5 additions.
-  template <class T> MEETC_HD static void object_a(const point_pair<T> &X, T *f) {
+  template <class T> MEETC_HD static constexpr void object_a(const point_pair<T> &X,
+      T *f) noexcept(meetc::is_built_in<T>) {
     const T t0 = X.q.x - X.p.x;
     const T t1 = X.q.y - X.p.y;
     const T t2 = X.q.z - X.p.z;
-    f[0] = meetc::multiply_add(t2, t2, meetc::multiply_add(t1, t1, t0 * t0));
+    f[0] = meetc::multiply_add<T>(t2, t2, meetc::multiply_add<T>(t1, t1, t0 * t0));
   }
   // 0 multiplications, 0 additions.
-  template <class T> MEETC_HD static void object_b([[maybe_unused]] const plane<T> &Y, T *) {
+  template <class T> MEETC_HD static constexpr void object_b([[maybe_unused]] const plane<T> &Y,
+      T *) noexcept(meetc::is_built_in<T>) {
   }
   // 8 multiplications, 6 additions, 1 scaling by a power of two.
-  template <class T> MEETC_HD static T pair(const point_pair<T> &X, const T *fa, const plane<T> &Y,
-      const T *) {
-    const T t0 = meetc::multiply_add(Y.N.z, X.p.z, meetc::multiply_add(Y.N.y, X.p.y, Y.N.x * X.p.x));
-    const T t1 = meetc::multiply_add(Y.N.z, X.q.z, meetc::multiply_add(Y.N.y, X.q.y, Y.N.x * X.q.x));
-    return (((t0 - Y.d) * fa[0]) * (t1 - Y.d)) * T(16);
+  template <class T> MEETC_HD static constexpr T pair(const point_pair<T> &X, const T *fa, const plane<T> &Y,
+      const T *) noexcept(meetc::is_built_in<T>) {
+    const T t0 = meetc::multiply_add<T>(Y.N.z, X.p.z, meetc::multiply_add<T>(Y.N.y, X.p.y, Y.N.x * X.p.x));
+    const T t1 = meetc::multiply_add<T>(Y.N.z, X.q.z, meetc::multiply_add<T>(Y.N.y, X.q.y, Y.N.x * X.q.x));
+    return (((t0 - Y.d) * fa[0]) * (t1 - Y.d)) * meetc::number<T>(16);
   }
 };
 

@@ -3,10 +3,10 @@
 #ifndef MEETC_3_cga_kernel_norm2_meet_point_pair_sphere_HPP
 #define MEETC_3_cga_kernel_norm2_meet_point_pair_sphere_HPP
 
-#include <meetc/support.hpp>
+#include <meetc/number/formula.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 16, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -36,30 +36,32 @@ MEETC_NAMESPACE(cga) {
 //       + 16*X.n_nb^2*Y.e1_e2_e3_n*Y.e1_e2_e3_nb
 // 24 multiplications, 18 additions, 5 scalings by powers of two, 7 negations.
 // Within ((1 + u)^12 - 1) M of the exact value.
-template <class T> MEETC_HD inline T norm2_meet(const point_pair_blade<T> &X, const sphere_blade<T> &Y) {
-  const T t0 = meetc::multiply_add(X.e1_n, Y.e1_e2_e3_nb, meetc::multiply_add(-X.e1_e3, Y.e1_e2_n_nb,
+template <class T> MEETC_HD constexpr T norm2_meet(const point_pair_blade<T> &X,
+    const sphere_blade<T> &Y) noexcept(meetc::is_built_in<T>) {
+  const T t0 = meetc::multiply_add<T>(X.e1_n, Y.e1_e2_e3_nb, meetc::multiply_add<T>(-X.e1_e3, Y.e1_e2_n_nb,
       X.e1_e2 * Y.e1_e3_n_nb));
-  const T t1 = T(2) * meetc::multiply_add(-X.e1_nb, Y.e1_e2_e3_n, t0);
-  const T t2 = meetc::multiply_add(X.e2_n, Y.e1_e2_e3_nb, meetc::multiply_add(-X.e2_e3, Y.e1_e2_n_nb,
+  const T t1 = meetc::number<T>(2) * meetc::multiply_add<T>(-X.e1_nb, Y.e1_e2_e3_n, t0);
+  const T t2 = meetc::multiply_add<T>(X.e2_n, Y.e1_e2_e3_nb, meetc::multiply_add<T>(-X.e2_e3, Y.e1_e2_n_nb,
       X.e1_e2 * Y.e2_e3_n_nb));
-  const T t3 = T(2) * meetc::multiply_add(-X.e2_nb, Y.e1_e2_e3_n, t2);
-  const T t4 = meetc::multiply_add(X.e3_n, Y.e1_e2_e3_nb, meetc::multiply_add(-X.e2_e3, Y.e1_e3_n_nb,
+  const T t3 = meetc::number<T>(2) * meetc::multiply_add<T>(-X.e2_nb, Y.e1_e2_e3_n, t2);
+  const T t4 = meetc::multiply_add<T>(X.e3_n, Y.e1_e2_e3_nb, meetc::multiply_add<T>(-X.e2_e3, Y.e1_e3_n_nb,
       X.e1_e3 * Y.e2_e3_n_nb));
-  const T t5 = T(2) * meetc::multiply_add(-X.e3_nb, Y.e1_e2_e3_n, t4);
-  const T t6 = meetc::multiply_add(X.e3_n, Y.e1_e2_n_nb, meetc::multiply_add(-X.e2_n, Y.e1_e3_n_nb,
+  const T t5 = meetc::number<T>(2) * meetc::multiply_add<T>(-X.e3_nb, Y.e1_e2_e3_n, t4);
+  const T t6 = meetc::multiply_add<T>(X.e3_n, Y.e1_e2_n_nb, meetc::multiply_add<T>(-X.e2_n, Y.e1_e3_n_nb,
       X.e1_n * Y.e2_e3_n_nb));
-  const T t7 = meetc::multiply_add(X.e3_nb, Y.e1_e2_n_nb, meetc::multiply_add(-X.e2_nb, Y.e1_e3_n_nb,
+  const T t7 = meetc::multiply_add<T>(X.e3_nb, Y.e1_e2_n_nb, meetc::multiply_add<T>(-X.e2_nb, Y.e1_e3_n_nb,
       X.e1_nb * Y.e2_e3_n_nb));
-  const T t8 = meetc::multiply_add(T(2) * meetc::multiply_add(-X.n_nb, Y.e1_e2_e3_nb, t7),
-      meetc::multiply_add(-X.n_nb, Y.e1_e2_e3_n, t6) * T(8), meetc::multiply_add(t5, t5,
-      meetc::multiply_add(t3, t3, t1 * t1)));
+  const T t8 = meetc::multiply_add<T>(meetc::number<T>(2) * meetc::multiply_add<T>(-X.n_nb, Y.e1_e2_e3_nb,
+      t7), meetc::multiply_add<T>(-X.n_nb, Y.e1_e2_e3_n, t6) * meetc::number<T>(8), meetc::multiply_add<T>(t5,
+      t5, meetc::multiply_add<T>(t3, t3, t1 * t1)));
   return t8;
 }
 
 // norm2(meet(point_pair, sphere)) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 12 multiplications, 17 additions, 1 scaling by a power of two.
 // Within ((1 + u)^19 - 1) M of the exact value.
-template <class T> MEETC_HD inline T norm2_meet(const point_pair<T> &X, const sphere<T> &Y) {
+template <class T> MEETC_HD constexpr T norm2_meet(const point_pair<T> &X,
+    const sphere<T> &Y) noexcept(meetc::is_built_in<T>) {
   const T t0 = X.q.x - X.p.x;
   const T t1 = X.q.y - X.p.y;
   const T t2 = X.q.z - X.p.z;
@@ -67,13 +69,13 @@ template <class T> MEETC_HD inline T norm2_meet(const point_pair<T> &X, const sp
   const T t4 = Y.c.y - X.q.y;
   const T t5 = Y.c.z - X.q.z;
   const T t6 = Y.r * Y.r;
-  const T t7 = meetc::multiply_add(t2, t2, meetc::multiply_add(t1, t1,
-      t0 * t0)) * (t6 - meetc::multiply_add(t5, t5, meetc::multiply_add(t4, t4, t3 * t3)));
-  const T t8 = Y.c.x - X.p.x;
-  const T t9 = Y.c.y - X.p.y;
-  const T t10 = Y.c.z - X.p.z;
-  const T t11 = t7 * (t6 - meetc::multiply_add(t10, t10, meetc::multiply_add(t9, t9, t8 * t8)));
-  return t11 * T(16);
+  const T t7 = t6 - meetc::multiply_add<T>(t5, t5, meetc::multiply_add<T>(t4, t4, t3 * t3));
+  const T t8 = meetc::multiply_add<T>(t2, t2, meetc::multiply_add<T>(t1, t1, t0 * t0)) * t7;
+  const T t9 = Y.c.x - X.p.x;
+  const T t10 = Y.c.y - X.p.y;
+  const T t11 = Y.c.z - X.p.z;
+  const T t12 = meetc::multiply_add<T>(t11, t11, meetc::multiply_add<T>(t10, t10, t9 * t9));
+  return (t8 * (t6 - t12)) * meetc::number<T>(16);
 }
 
 // norm2(meet(point_pair, sphere)) from stored numbers, for many pairs. Within ((1 + u)^19 - 1) M of the exact value.
@@ -82,28 +84,30 @@ template <class T> MEETC_HD inline T norm2_meet(const point_pair<T> &X, const sp
 struct norm2_meet_point_pair_sphere {
   static constexpr int fields_a = 1, fields_b = 1;
   // 3 multiplications, 5 additions.
-  template <class T> MEETC_HD static void object_a(const point_pair<T> &X, T *f) {
+  template <class T> MEETC_HD static constexpr void object_a(const point_pair<T> &X,
+      T *f) noexcept(meetc::is_built_in<T>) {
     const T t0 = X.q.x - X.p.x;
     const T t1 = X.q.y - X.p.y;
     const T t2 = X.q.z - X.p.z;
-    f[0] = meetc::multiply_add(t2, t2, meetc::multiply_add(t1, t1, t0 * t0));
+    f[0] = meetc::multiply_add<T>(t2, t2, meetc::multiply_add<T>(t1, t1, t0 * t0));
   }
   // 1 multiplication, 0 additions.
-  template <class T> MEETC_HD static void object_b(const sphere<T> &Y, T *f) {
+  template <class T> MEETC_HD static constexpr void object_b(const sphere<T> &Y,
+      T *f) noexcept(meetc::is_built_in<T>) {
     f[0] = Y.r * Y.r;
   }
   // 8 multiplications, 12 additions, 1 scaling by a power of two.
-  template <class T> MEETC_HD static T pair(const point_pair<T> &X, const T *fa, const sphere<T> &Y,
-      const T *fb) {
+  template <class T> MEETC_HD static constexpr T pair(const point_pair<T> &X, const T *fa, const sphere<T> &Y,
+      const T *fb) noexcept(meetc::is_built_in<T>) {
     const T t0 = Y.c.x - X.q.x;
     const T t1 = Y.c.y - X.q.y;
     const T t2 = Y.c.z - X.q.z;
-    const T t3 = fb[0] - meetc::multiply_add(t2, t2, meetc::multiply_add(t1, t1, t0 * t0));
+    const T t3 = fb[0] - meetc::multiply_add<T>(t2, t2, meetc::multiply_add<T>(t1, t1, t0 * t0));
     const T t4 = Y.c.x - X.p.x;
     const T t5 = Y.c.y - X.p.y;
     const T t6 = Y.c.z - X.p.z;
-    const T t7 = fb[0] - meetc::multiply_add(t6, t6, meetc::multiply_add(t5, t5, t4 * t4));
-    return ((fa[0] * t3) * t7) * T(16);
+    const T t7 = fb[0] - meetc::multiply_add<T>(t6, t6, meetc::multiply_add<T>(t5, t5, t4 * t4));
+    return ((fa[0] * t3) * t7) * meetc::number<T>(16);
   }
 };
 

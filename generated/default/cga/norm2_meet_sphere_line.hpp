@@ -3,10 +3,10 @@
 #ifndef MEETC_3_cga_kernel_norm2_meet_sphere_line_HPP
 #define MEETC_3_cga_kernel_norm2_meet_sphere_line_HPP
 
-#include <meetc/support.hpp>
+#include <meetc/number/formula.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 16, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -25,37 +25,40 @@ MEETC_NAMESPACE(cga) {
 //       + 16*X.e2_e3_n_nb^2*Y.e1_n_nb^2
 // 20 multiplications, 14 additions, 5 scalings by powers of two, 4 negations.
 // Within ((1 + u)^12 - 1) M of the exact value.
-template <class T> MEETC_HD inline T norm2_meet(const sphere_blade<T> &X, const line_blade<T> &Y) {
-  const T t0 = meetc::multiply_add(Y.e3_n_nb, Y.e3_n_nb, meetc::multiply_add(Y.e2_n_nb, Y.e2_n_nb,
+template <class T> MEETC_HD constexpr T norm2_meet(const sphere_blade<T> &X,
+    const line_blade<T> &Y) noexcept(meetc::is_built_in<T>) {
+  const T t0 = meetc::multiply_add<T>(Y.e3_n_nb, Y.e3_n_nb, meetc::multiply_add<T>(Y.e2_n_nb, Y.e2_n_nb,
       Y.e1_n_nb * Y.e1_n_nb));
-  const T t1 = meetc::multiply_add(-X.e1_e2_n_nb, X.e1_e2_n_nb, X.e1_e2_e3_n * X.e1_e2_e3_nb);
-  const T t2 = meetc::multiply_add(-X.e2_e3_n_nb, X.e2_e3_n_nb, meetc::multiply_add(-X.e1_e3_n_nb,
+  const T t1 = meetc::multiply_add<T>(-X.e1_e2_n_nb, X.e1_e2_n_nb, X.e1_e2_e3_n * X.e1_e2_e3_nb);
+  const T t2 = meetc::multiply_add<T>(-X.e2_e3_n_nb, X.e2_e3_n_nb, meetc::multiply_add<T>(-X.e1_e3_n_nb,
       X.e1_e3_n_nb, t1));
-  const T t3 = meetc::multiply_add(meetc::multiply_add(X.e1_e3_n_nb, Y.e3_n_nb, X.e1_e2_n_nb * Y.e2_n_nb),
-      T(-2), X.e1_e2_e3_nb * Y.e2_e3_n);
-  const T t4 = meetc::multiply_add(T(-2), meetc::multiply_add(-X.e2_e3_n_nb, Y.e3_n_nb,
-      X.e1_e2_n_nb * Y.e1_n_nb), X.e1_e2_e3_nb * Y.e1_e3_n);
-  const T t5 = meetc::multiply_add(T(2), meetc::multiply_add(X.e2_e3_n_nb, Y.e2_n_nb,
-      X.e1_e3_n_nb * Y.e1_n_nb), X.e1_e2_e3_nb * Y.e1_e2_n);
-  const T t6 = meetc::multiply_add(t4, t4, meetc::multiply_add(t3, t3, T(4) * (t0 * t2)));
-  return -(T(4) * meetc::multiply_add(t5, t5, t6));
+  const T t3 = meetc::multiply_add<T>(X.e1_e3_n_nb, Y.e3_n_nb, X.e1_e2_n_nb * Y.e2_n_nb);
+  const T t4 = meetc::multiply_add<T>(t3, meetc::number<T>(-2), X.e1_e2_e3_nb * Y.e2_e3_n);
+  const T t5 = meetc::multiply_add<T>(-X.e2_e3_n_nb, Y.e3_n_nb, X.e1_e2_n_nb * Y.e1_n_nb);
+  const T t6 = meetc::multiply_add<T>(meetc::number<T>(-2), t5, X.e1_e2_e3_nb * Y.e1_e3_n);
+  const T t7 = meetc::multiply_add<T>(X.e2_e3_n_nb, Y.e2_n_nb, X.e1_e3_n_nb * Y.e1_n_nb);
+  const T t8 = meetc::multiply_add<T>(meetc::number<T>(2), t7, X.e1_e2_e3_nb * Y.e1_e2_n);
+  const T t9 = meetc::multiply_add<T>(t6, t6, meetc::multiply_add<T>(t4, t4,
+      meetc::number<T>(4) * (t0 * t2)));
+  return -(meetc::number<T>(4) * meetc::multiply_add<T>(t8, t8, t9));
 }
 
 // norm2(meet(sphere, line)) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 12 multiplications, 14 additions, 1 scaling by a power of two.
 // Within ((1 + u)^13 - 1) M of the exact value.
-template <class T> MEETC_HD inline T norm2_meet(const sphere<T> &X, const line<T> &Y) {
+template <class T> MEETC_HD constexpr T norm2_meet(const sphere<T> &X,
+    const line<T> &Y) noexcept(meetc::is_built_in<T>) {
   const T t0 = Y.p.x - X.c.x;
   const T t1 = Y.p.y - X.c.y;
   const T t2 = Y.p.z - X.c.z;
   const T t3 = Y.q.x - Y.p.x;
   const T t4 = Y.q.y - Y.p.y;
   const T t5 = Y.q.z - Y.p.z;
-  const T t6 = meetc::multiply_add(t2, t5, meetc::multiply_add(t1, t4, t0 * t3));
-  const T t7 = X.r * X.r - meetc::multiply_add(t2, t2, meetc::multiply_add(t1, t1, t0 * t0));
-  const T t8 = meetc::multiply_add(meetc::multiply_add(t5, t5, meetc::multiply_add(t4, t4, t3 * t3)), t7,
-      t6 * t6);
-  return t8 * T(64);
+  const T t6 = meetc::multiply_add<T>(t2, t5, meetc::multiply_add<T>(t1, t4, t0 * t3));
+  const T t7 = X.r * X.r - meetc::multiply_add<T>(t2, t2, meetc::multiply_add<T>(t1, t1, t0 * t0));
+  const T t8 = meetc::multiply_add<T>(meetc::multiply_add<T>(t5, t5, meetc::multiply_add<T>(t4, t4, t3 * t3)),
+      t7, t6 * t6);
+  return t8 * meetc::number<T>(64);
 }
 
 // norm2(meet(sphere, line)) from stored numbers, for many pairs. Within ((1 + u)^13 - 1) M of the exact value.
@@ -64,27 +67,30 @@ template <class T> MEETC_HD inline T norm2_meet(const sphere<T> &X, const line<T
 struct norm2_meet_sphere_line {
   static constexpr int fields_a = 1, fields_b = 4;
   // 1 multiplication, 0 additions.
-  template <class T> MEETC_HD static void object_a(const sphere<T> &X, T *f) {
+  template <class T> MEETC_HD static constexpr void object_a(const sphere<T> &X,
+      T *f) noexcept(meetc::is_built_in<T>) {
     f[0] = X.r * X.r;
   }
   // 3 multiplications, 5 additions.
-  template <class T> MEETC_HD static void object_b(const line<T> &Y, T *f) {
+  template <class T> MEETC_HD static constexpr void object_b(const line<T> &Y,
+      T *f) noexcept(meetc::is_built_in<T>) {
     const T t0 = Y.q.x - Y.p.x;
     const T t1 = Y.q.y - Y.p.y;
     const T t2 = Y.q.z - Y.p.z;
     f[0] = t0;
     f[1] = t1;
     f[2] = t2;
-    f[3] = meetc::multiply_add(t2, t2, meetc::multiply_add(t1, t1, t0 * t0));
+    f[3] = meetc::multiply_add<T>(t2, t2, meetc::multiply_add<T>(t1, t1, t0 * t0));
   }
   // 8 multiplications, 9 additions, 1 scaling by a power of two.
-  template <class T> MEETC_HD static T pair(const sphere<T> &X, const T *fa, const line<T> &Y, const T *fb) {
+  template <class T> MEETC_HD static constexpr T pair(const sphere<T> &X, const T *fa, const line<T> &Y,
+      const T *fb) noexcept(meetc::is_built_in<T>) {
     const T t0 = Y.p.x - X.c.x;
     const T t1 = Y.p.y - X.c.y;
     const T t2 = Y.p.z - X.c.z;
-    const T t3 = meetc::multiply_add(t2, fb[2], meetc::multiply_add(t1, fb[1], t0 * fb[0]));
-    const T t4 = fa[0] - meetc::multiply_add(t2, t2, meetc::multiply_add(t1, t1, t0 * t0));
-    return meetc::multiply_add(fb[3], t4, t3 * t3) * T(64);
+    const T t3 = meetc::multiply_add<T>(t2, fb[2], meetc::multiply_add<T>(t1, fb[1], t0 * fb[0]));
+    const T t4 = fa[0] - meetc::multiply_add<T>(t2, t2, meetc::multiply_add<T>(t1, t1, t0 * t0));
+    return meetc::multiply_add<T>(fb[3], t4, t3 * t3) * meetc::number<T>(64);
   }
 };
 

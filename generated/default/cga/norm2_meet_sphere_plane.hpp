@@ -3,10 +3,10 @@
 #ifndef MEETC_3_cga_kernel_norm2_meet_sphere_plane_HPP
 #define MEETC_3_cga_kernel_norm2_meet_sphere_plane_HPP
 
-#include <meetc/support.hpp>
+#include <meetc/number/formula.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 16, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -22,26 +22,28 @@ MEETC_NAMESPACE(cga) {
 //       + 16*X.e2_e3_n_nb^2*Y.e1_e2_n_nb^2 + 16*X.e2_e3_n_nb^2*Y.e1_e3_n_nb^2
 // 13 multiplications, 9 additions, 3 scalings by powers of two, 4 negations.
 // Within ((1 + u)^12 - 1) M of the exact value.
-template <class T> MEETC_HD inline T norm2_meet(const sphere_blade<T> &X, const plane_blade<T> &Y) {
-  const T t0 = meetc::multiply_add(Y.e1_e3_n_nb, Y.e1_e3_n_nb, Y.e1_e2_n_nb * Y.e1_e2_n_nb);
-  const T t1 = meetc::multiply_add(-X.e1_e2_n_nb, X.e1_e2_n_nb, X.e1_e2_e3_n * X.e1_e2_e3_nb);
-  const T t2 = meetc::multiply_add(-X.e2_e3_n_nb, X.e2_e3_n_nb, meetc::multiply_add(-X.e1_e3_n_nb,
+template <class T> MEETC_HD constexpr T norm2_meet(const sphere_blade<T> &X,
+    const plane_blade<T> &Y) noexcept(meetc::is_built_in<T>) {
+  const T t0 = meetc::multiply_add<T>(Y.e1_e3_n_nb, Y.e1_e3_n_nb, Y.e1_e2_n_nb * Y.e1_e2_n_nb);
+  const T t1 = meetc::multiply_add<T>(-X.e1_e2_n_nb, X.e1_e2_n_nb, X.e1_e2_e3_n * X.e1_e2_e3_nb);
+  const T t2 = meetc::multiply_add<T>(-X.e2_e3_n_nb, X.e2_e3_n_nb, meetc::multiply_add<T>(-X.e1_e3_n_nb,
       X.e1_e3_n_nb, t1));
-  const T t3 = meetc::multiply_add(X.e1_e2_n_nb, Y.e1_e2_n_nb, X.e1_e3_n_nb * Y.e1_e3_n_nb);
-  const T t4 = meetc::multiply_add(meetc::multiply_add(X.e2_e3_n_nb, Y.e2_e3_n_nb, t3), T(-2),
-      X.e1_e2_e3_nb * Y.e1_e2_e3_n);
-  const T t5 = meetc::multiply_add(t4, t4, T(4) * (meetc::multiply_add(Y.e2_e3_n_nb, Y.e2_e3_n_nb, t0) * t2));
-  return -(T(4) * t5);
+  const T t3 = meetc::number<T>(4) * (meetc::multiply_add<T>(Y.e2_e3_n_nb, Y.e2_e3_n_nb, t0) * t2);
+  const T t4 = meetc::multiply_add<T>(X.e1_e2_n_nb, Y.e1_e2_n_nb, X.e1_e3_n_nb * Y.e1_e3_n_nb);
+  const T t5 = meetc::multiply_add<T>(meetc::multiply_add<T>(X.e2_e3_n_nb, Y.e2_e3_n_nb, t4),
+      meetc::number<T>(-2), X.e1_e2_e3_nb * Y.e1_e2_e3_n);
+  return -(meetc::number<T>(4) * meetc::multiply_add<T>(t5, t5, t3));
 }
 
 // norm2(meet(sphere, plane)) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 9 multiplications, 6 additions, 1 scaling by a power of two, 1 negation.
 // Within ((1 + u)^10 - 1) M of the exact value.
-template <class T> MEETC_HD inline T norm2_meet(const sphere<T> &X, const plane<T> &Y) {
-  const T t0 = meetc::multiply_add(Y.N.z, Y.N.z, meetc::multiply_add(Y.N.y, Y.N.y, Y.N.x * Y.N.x));
-  const T t1 = meetc::multiply_add(X.c.z, Y.N.z, meetc::multiply_add(X.c.y, Y.N.y, X.c.x * Y.N.x));
+template <class T> MEETC_HD constexpr T norm2_meet(const sphere<T> &X,
+    const plane<T> &Y) noexcept(meetc::is_built_in<T>) {
+  const T t0 = meetc::multiply_add<T>(Y.N.z, Y.N.z, meetc::multiply_add<T>(Y.N.y, Y.N.y, Y.N.x * Y.N.x));
+  const T t1 = meetc::multiply_add<T>(X.c.z, Y.N.z, meetc::multiply_add<T>(X.c.y, Y.N.y, X.c.x * Y.N.x));
   const T t2 = t1 - Y.d;
-  return meetc::multiply_add(-t2, t2, t0 * (X.r * X.r)) * T(4);
+  return meetc::multiply_add<T>(-t2, t2, t0 * (X.r * X.r)) * meetc::number<T>(4);
 }
 
 // norm2(meet(sphere, plane)) from stored numbers, for many pairs. Within ((1 + u)^10 - 1) M of the exact value.
@@ -50,19 +52,22 @@ template <class T> MEETC_HD inline T norm2_meet(const sphere<T> &X, const plane<
 struct norm2_meet_sphere_plane {
   static constexpr int fields_a = 1, fields_b = 1;
   // 1 multiplication, 0 additions.
-  template <class T> MEETC_HD static void object_a(const sphere<T> &X, T *f) {
+  template <class T> MEETC_HD static constexpr void object_a(const sphere<T> &X,
+      T *f) noexcept(meetc::is_built_in<T>) {
     f[0] = X.r * X.r;
   }
   // 3 multiplications, 2 additions.
-  template <class T> MEETC_HD static void object_b(const plane<T> &Y, T *f) {
-    const T t0 = meetc::multiply_add(Y.N.z, Y.N.z, meetc::multiply_add(Y.N.y, Y.N.y, Y.N.x * Y.N.x));
+  template <class T> MEETC_HD static constexpr void object_b(const plane<T> &Y,
+      T *f) noexcept(meetc::is_built_in<T>) {
+    const T t0 = meetc::multiply_add<T>(Y.N.z, Y.N.z, meetc::multiply_add<T>(Y.N.y, Y.N.y, Y.N.x * Y.N.x));
     f[0] = t0;
   }
   // 5 multiplications, 4 additions, 1 scaling by a power of two, 1 negation.
-  template <class T> MEETC_HD static T pair(const sphere<T> &X, const T *fa, const plane<T> &Y, const T *fb) {
-    const T t0 = meetc::multiply_add(X.c.z, Y.N.z, meetc::multiply_add(X.c.y, Y.N.y, X.c.x * Y.N.x));
+  template <class T> MEETC_HD static constexpr T pair(const sphere<T> &X, const T *fa, const plane<T> &Y,
+      const T *fb) noexcept(meetc::is_built_in<T>) {
+    const T t0 = meetc::multiply_add<T>(X.c.z, Y.N.z, meetc::multiply_add<T>(X.c.y, Y.N.y, X.c.x * Y.N.x));
     const T t1 = t0 - Y.d;
-    return meetc::multiply_add(-t1, t1, fb[0] * fa[0]) * T(4);
+    return meetc::multiply_add<T>(-t1, t1, fb[0] * fa[0]) * meetc::number<T>(4);
   }
 };
 

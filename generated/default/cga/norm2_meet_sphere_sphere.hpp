@@ -3,10 +3,10 @@
 #ifndef MEETC_3_cga_kernel_norm2_meet_sphere_sphere_HPP
 #define MEETC_3_cga_kernel_norm2_meet_sphere_sphere_HPP
 
-#include <meetc/support.hpp>
+#include <meetc/number/formula.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 16, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -29,31 +29,35 @@ MEETC_NAMESPACE(cga) {
 //       + 16*X.e2_e3_n_nb^2*Y.e1_e3_n_nb^2
 // 15 multiplications, 11 additions, 3 scalings by powers of two, 7 negations.
 // Within ((1 + u)^12 - 1) M of the exact value.
-template <class T> MEETC_HD inline T norm2_meet(const sphere_blade<T> &X, const sphere_blade<T> &Y) {
-  const T t0 = meetc::multiply_add(-Y.e1_e2_n_nb, Y.e1_e2_n_nb, Y.e1_e2_e3_n * Y.e1_e2_e3_nb);
-  const T t1 = meetc::multiply_add(-Y.e2_e3_n_nb, Y.e2_e3_n_nb, meetc::multiply_add(-Y.e1_e3_n_nb,
+template <class T> MEETC_HD constexpr T norm2_meet(const sphere_blade<T> &X,
+    const sphere_blade<T> &Y) noexcept(meetc::is_built_in<T>) {
+  const T t0 = meetc::multiply_add<T>(-Y.e1_e2_n_nb, Y.e1_e2_n_nb, Y.e1_e2_e3_n * Y.e1_e2_e3_nb);
+  const T t1 = meetc::multiply_add<T>(-Y.e2_e3_n_nb, Y.e2_e3_n_nb, meetc::multiply_add<T>(-Y.e1_e3_n_nb,
       Y.e1_e3_n_nb, t0));
-  const T t2 = meetc::multiply_add(-X.e1_e2_n_nb, X.e1_e2_n_nb, X.e1_e2_e3_n * X.e1_e2_e3_nb);
-  const T t3 = meetc::multiply_add(-X.e2_e3_n_nb, X.e2_e3_n_nb, meetc::multiply_add(-X.e1_e3_n_nb,
+  const T t2 = meetc::multiply_add<T>(-X.e1_e2_n_nb, X.e1_e2_n_nb, X.e1_e2_e3_n * X.e1_e2_e3_nb);
+  const T t3 = meetc::multiply_add<T>(-X.e2_e3_n_nb, X.e2_e3_n_nb, meetc::multiply_add<T>(-X.e1_e3_n_nb,
       X.e1_e3_n_nb, t2));
-  const T t4 = meetc::multiply_add(X.e1_e2_e3_nb, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e2_e3_nb);
-  const T t5 = meetc::multiply_add(X.e1_e2_n_nb, Y.e1_e2_n_nb, X.e1_e3_n_nb * Y.e1_e3_n_nb);
-  const T t6 = meetc::multiply_add(meetc::multiply_add(X.e2_e3_n_nb, Y.e2_e3_n_nb, t5), T(-2), t4);
-  return T(4) * meetc::multiply_add(-t6, t6, T(4) * (t1 * t3));
+  const T t4 = meetc::multiply_add<T>(X.e1_e2_e3_nb, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e2_e3_nb);
+  const T t5 = meetc::multiply_add<T>(X.e1_e2_n_nb, Y.e1_e2_n_nb, X.e1_e3_n_nb * Y.e1_e3_n_nb);
+  const T t6 = meetc::multiply_add<T>(meetc::multiply_add<T>(X.e2_e3_n_nb, Y.e2_e3_n_nb, t5),
+      meetc::number<T>(-2), t4);
+  const T t7 = meetc::number<T>(4) * meetc::multiply_add<T>(-t6, t6, meetc::number<T>(4) * (t1 * t3));
+  return t7;
 }
 
 // norm2(meet(sphere, sphere)) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 6 multiplications, 9 additions, 1 scaling by a power of two, 2 negations.
 // Within ((1 + u)^13 - 1) M of the exact value.
-template <class T> MEETC_HD inline T norm2_meet(const sphere<T> &X, const sphere<T> &Y) {
+template <class T> MEETC_HD constexpr T norm2_meet(const sphere<T> &X,
+    const sphere<T> &Y) noexcept(meetc::is_built_in<T>) {
   const T t0 = Y.c.x - X.c.x;
   const T t1 = Y.c.y - X.c.y;
   const T t2 = Y.c.z - X.c.z;
-  const T t3 = meetc::multiply_add(t2, t2, meetc::multiply_add(t1, t1, t0 * t0));
+  const T t3 = meetc::multiply_add<T>(t2, t2, meetc::multiply_add<T>(t1, t1, t0 * t0));
   const T t4 = X.r - Y.r;
   const T t5 = X.r + Y.r;
-  const T t6 = (meetc::multiply_add(t4, t4, -t3) * meetc::multiply_add(t5, t5, -t3)) * T(4);
-  return -t6;
+  const T t6 = meetc::multiply_add<T>(t4, t4, -t3) * meetc::multiply_add<T>(t5, t5, -t3);
+  return -(t6 * meetc::number<T>(4));
 }
 
 // norm2(meet(sphere, sphere)) from stored numbers, for many pairs. Within ((1 + u)^14 - 1) M of the exact value.
@@ -62,23 +66,25 @@ template <class T> MEETC_HD inline T norm2_meet(const sphere<T> &X, const sphere
 struct norm2_meet_sphere_sphere {
   static constexpr int fields_a = 2, fields_b = 1;
   // 1 multiplication, 0 additions, 1 scaling by a power of two.
-  template <class T> MEETC_HD static void object_a(const sphere<T> &X, T *f) {
+  template <class T> MEETC_HD static constexpr void object_a(const sphere<T> &X,
+      T *f) noexcept(meetc::is_built_in<T>) {
     const T t0 = X.r * X.r;
     f[0] = t0;
-    f[1] = t0 * T(4);
+    f[1] = t0 * meetc::number<T>(4);
   }
   // 1 multiplication, 0 additions.
-  template <class T> MEETC_HD static void object_b(const sphere<T> &Y, T *f) {
+  template <class T> MEETC_HD static constexpr void object_b(const sphere<T> &Y,
+      T *f) noexcept(meetc::is_built_in<T>) {
     f[0] = Y.r * Y.r;
   }
   // 5 multiplications, 8 additions, 1 scaling by a power of two, 1 negation.
-  template <class T> MEETC_HD static T pair(const sphere<T> &X, const T *fa, const sphere<T> &Y,
-      const T *fb) {
+  template <class T> MEETC_HD static constexpr T pair(const sphere<T> &X, const T *fa, const sphere<T> &Y,
+      const T *fb) noexcept(meetc::is_built_in<T>) {
     const T t0 = Y.c.x - X.c.x;
     const T t1 = Y.c.y - X.c.y;
     const T t2 = Y.c.z - X.c.z;
-    const T t3 = (fa[0] + fb[0]) - meetc::multiply_add(t2, t2, meetc::multiply_add(t1, t1, t0 * t0));
-    return T(4) * meetc::multiply_add(-t3, t3, fb[0] * fa[1]);
+    const T t3 = (fa[0] + fb[0]) - meetc::multiply_add<T>(t2, t2, meetc::multiply_add<T>(t1, t1, t0 * t0));
+    return meetc::number<T>(4) * meetc::multiply_add<T>(-t3, t3, fb[0] * fa[1]);
   }
 };
 

@@ -9,8 +9,6 @@
 #error "meetc needs C++20: compile with -std=c++20"
 #endif
 
-#define MEETC_SUPPORT_VERSION 15
-
 #include <meetc/decide/entry.hpp>
 #include <meetc/environment/valid.hpp>
 #include <meetc/number/rounding.hpp>

@@ -135,7 +135,7 @@ TEST_CASE("a line lost from emitted code, and a changed operator in it, are foun
           with, c,
           [](std::string &body) {
             return replace_first(body, " - ", " + ") || replace_first(body, " + ", " - ") ||
-                   replace_first(body, "multiply_add(", "multiply_add(-");
+                   replace_first(body, "multiply_add<T>(", "multiply_add<T>(-");
           },
           changed);
       CHECK(found_sign == changed);

@@ -70,10 +70,15 @@ TEST_CASE("a formula with a quotient refuses integers, and the others take them"
   const temporary_folder folder;
   folder.write("s.toml", scene);
   REQUIRE(run_meetc("generate s.toml -o out", folder.path()).code == 0);
-  folder.write("halves.cpp", "#include <k/k.hpp>\nauto f(const k::circle<int> &c) { return k::blade(c); }\n");
-  const auto [failed, said] = shell(folder.path(), "c++ -std=c++20 -fsyntax-only halves.cpp -I out");
-  CHECK(failed != 0);
-  CHECK_THAT(said, contains("this formula divides; integers would round the quotient"));
+  for (const char *integer : {"int", "__int128", "mpz_class"}) {
+    folder.write("halves.cpp", fmt::format("#include <gmpxx.h>\n#include <k/k.hpp>\n"
+                                           "auto f(const k::circle<{}> &c) {{ return k::blade(c); }}\n",
+                                           integer));
+    const auto [failed, said] = shell(folder.path(), "c++ -std=c++20 -fsyntax-only halves.cpp -I out");
+    INFO(integer);
+    CHECK(failed != 0);
+    CHECK_THAT(said, contains("this formula divides; integers would round the quotient"));
+  }
   folder.write(
       "whole.cpp",
       "#include <k/k.hpp>\nauto f(const k::sphere<int> &s, const k::line<int> &l) { return k::norm2_meet(s, l); }\n");

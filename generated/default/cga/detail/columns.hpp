@@ -33,7 +33,7 @@
 #include <cga/norm2_meet_sphere_plane.hpp>
 #include <cga/norm2_meet_sphere_sphere.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 16, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 

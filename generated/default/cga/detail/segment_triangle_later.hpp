@@ -9,7 +9,7 @@
 #include <cga/detail/point_triangle_later.hpp>
 #include <cga/detail/segment_segment_later.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 16, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 

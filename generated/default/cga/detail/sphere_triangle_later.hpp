@@ -8,7 +8,7 @@
 #include <meetc/decide/later_rungs.hpp>
 #include <cga/detail/ball_triangle_later.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 16, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 

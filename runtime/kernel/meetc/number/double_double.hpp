@@ -9,9 +9,8 @@
 #ifndef MEETC_NUMBER_DOUBLE_DOUBLE_HPP
 #define MEETC_NUMBER_DOUBLE_DOUBLE_HPP
 
+#include <meetc/number/formula.hpp>
 #include <meetc/number/logic.hpp>
-
-#include <type_traits>
 
 MEETC_NAMESPACE(meetc) {
 
@@ -187,34 +186,6 @@ MEETC_HD MEETC_INLINE double fma(double a, double b, double c) {
 }
 template <class A, class B, class C> MEETC_HD MEETC_INLINE constexpr C fma(const A &a, const B &b, const C &c) {
   return times<C>(a, b) + c;
-}
-
-// a b + c in formulas, which promise a bound and not the same bits everywhere: rounded once if the target has the
-// instruction, else a product and a sum, since fma() is then a call that takes as long as twenty products.
-#if defined(__FMA__) || defined(__FMA4__) || defined(__aarch64__) || defined(__CUDA_ARCH__)
-MEETC_HD MEETC_INLINE float multiply_add(float a, float b, float c) {
-  return __builtin_fmaf(a, b, c);
-}
-MEETC_HD MEETC_INLINE double multiply_add(double a, double b, double c) {
-  return __builtin_fma(a, b, c);
-}
-#else
-MEETC_HD MEETC_INLINE float multiply_add(float a, float b, float c) {
-  return a * b + c;
-}
-MEETC_HD MEETC_INLINE double multiply_add(double a, double b, double c) {
-  return a * b + c;
-}
-#endif
-template <class A, class B, class C>
-MEETC_HD MEETC_INLINE constexpr C multiply_add(const A &a, const B &b, const C &c) {
-  return fma(a, b, c); // of lanes, which do the same as above, and of exact types
-}
-
-// A constant of emitted code that is no integer. Integers have no room for it.
-template <class T, class Integer> MEETC_HD MEETC_INLINE constexpr T ratio(Integer a, Integer b) {
-  static_assert(!std::is_integral_v<T>, "this formula divides; integers would round the quotient: use float or double");
-  return T(a) / T(b);
 }
 
 MEETC_HD MEETC_INLINE float magnitude_of(float v) {

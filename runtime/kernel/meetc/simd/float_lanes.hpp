@@ -80,6 +80,9 @@ MEETC_INLINE lanes fma(lanes a, lanes b, lanes c) {
   return a * b + c;
 #endif
 }
+MEETC_INLINE lanes multiply_add(lanes a, lanes b, lanes c) { // in formulas
+  return fma(a, b, c);
+}
 
 // The lanes in which a comparison holds; it does not hold for NaN. Emitted code compares by ==, since a spec may have a
 // kind with the name of any function.

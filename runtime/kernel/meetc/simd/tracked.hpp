@@ -33,7 +33,7 @@ template <class V, int Rounding = -51> struct tracked_number { // tests use othe
 template <int Rounding, class V> MEETC_INLINE tracked_number<V, Rounding> rounded(V v, V e) {
   constexpr double rounding = power_of_two(Rounding, 0.0);
   tracked_number<V, Rounding> r(v);
-  r.e = multiply_add(V(rounding), magnitude_of(v), e);
+  r.e = multiply_add<V>(V(rounding), magnitude_of(v), e);
   return r;
 }
 template <class V, int R> MEETC_INLINE tracked_number<V, R> operator-(tracked_number<V, R> a) {
@@ -47,7 +47,7 @@ template <class V, int R> MEETC_INLINE tracked_number<V, R> operator-(tracked_nu
   return rounded<R>(a.v - b.v, a.e + b.e);
 }
 template <class V, int R> MEETC_INLINE tracked_number<V, R> operator*(tracked_number<V, R> a, tracked_number<V, R> b) {
-  return rounded<R>(a.v * b.v, multiply_add(magnitude_of(a.v) + a.e, b.e, a.e * magnitude_of(b.v)));
+  return rounded<R>(a.v * b.v, multiply_add<V>(magnitude_of(a.v) + a.e, b.e, a.e * magnitude_of(b.v)));
 }
 
 } // MEETC_NAMESPACE(meetc)

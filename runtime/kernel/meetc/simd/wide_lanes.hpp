@@ -64,6 +64,9 @@ MEETC_INLINE wide_lanes fma(wide_lanes a, wide_lanes b, wide_lanes c) {
   return a * b + c;
 #endif
 }
+MEETC_INLINE wide_lanes multiply_add(wide_lanes a, wide_lanes b, wide_lanes c) { // in formulas
+  return fma(a, b, c);
+}
 
 // The lanes in which the highest bit is set.
 MEETC_INLINE lane_mask highest_bits(wide_bits m) {
