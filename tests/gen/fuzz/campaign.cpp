@@ -58,6 +58,13 @@ public:
 private:
   plan plan_;
   tally out_;
+
+  // A long run may be ended before its end.
+  void keep(finding f) {
+    if (plan_.talk)
+      fmt::print(stderr, "{}", text_of(f));
+    out_.findings.push_back(std::move(f));
+  }
   std::map<std::string, std::unique_ptr<compiler>> compilers_;
 
   compiler &compiler_of(const space &s) {
@@ -107,7 +114,7 @@ private:
       judge_programs(with, *c, t);
     if (!fault_.empty()) {
       if (t)
-        t->findings.push_back(smaller(f, [this](const formula &g) {
+        keep(smaller(f, [this](const formula &g) {
           one(g, nullptr);
           return fault_;
         }));
@@ -178,10 +185,10 @@ private:
     wrong.erase(std::unique(wrong.begin(), wrong.end()), wrong.end());
     for (const compiled *c : wrong)
       if (!alone(c->from).empty())
-        out_.findings.push_back(smaller(c->from, [this](const formula &g) { return alone(g); }));
+        keep(smaller(c->from, [this](const formula &g) { return alone(g); }));
     if (!wrong.empty() && out_.findings.size() == before) // only together
-      out_.findings.push_back({batch.front().from, batch.front().from,
-                               "only in a batch: " + (fault.empty() ? r.faults.front().what : fault)});
+      keep({batch.front().from, batch.front().from,
+            "only in a batch: " + (fault.empty() ? r.faults.front().what : fault)});
     batch.clear();
   }
 
@@ -232,6 +239,10 @@ std::string fault_of(const formula &f) {
   return campaign({}).fault_of(f);
 }
 
+std::string text_of(const finding &f) {
+  return fmt::format("FINDING: {}\n  drawn:    {}\n  smallest: {}\n", f.what, f.of.text(), f.smallest.text());
+}
+
 std::string text_of(const tally &t) {
   std::string out = fmt::format("{} formulas: {} compiled, {} refused, {} findings\n", t.formulas, t.compiled,
                                 t.refused, t.findings.size());
@@ -248,7 +259,7 @@ std::string text_of(const tally &t) {
   for (const auto &[message, n] : t.refusals)
     out += fmt::format("  refused {} times: {}\n", n, message);
   for (const finding &f : t.findings)
-    out += fmt::format("FINDING: {}\n  drawn:    {}\n  smallest: {}\n", f.what, f.of.text(), f.smallest.text());
+    out += text_of(f);
   return out;
 }
 

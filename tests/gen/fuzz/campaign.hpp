@@ -42,6 +42,7 @@ inline constexpr double most_seconds = 30;
 tally run(const plan &p);
 // The same for one formula, over the operands that its kinds say: for cases that were found once.
 std::string fault_of(const formula &f);
+std::string text_of(const finding &f);
 std::string text_of(const tally &t);
 
 // The formula that is being compiled, for whoever must tell of a crash.
