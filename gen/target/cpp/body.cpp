@@ -13,9 +13,12 @@ namespace meetc::target {
 namespace {
 
 std::string constant_text(const ir::rational &q, const body_names &names) {
-  if (q.get_den() == 1)
-    return fmt::format("{}({})", names.number, q.get_num().get_str());
-  return fmt::format("meetc::ratio<{}>({}, {})", names.type, q.get_num().get_str(), q.get_den().get_str());
+  const mpz_class &a = q.get_num(), &b = q.get_den();
+  if (b == 1)
+    return fmt::format("{}({})", names.number, a.get_str());
+  // Both have one type, whatever their sizes are.
+  const char *const type = a.fits_sint_p() && b.fits_sint_p() ? "" : "LL";
+  return fmt::format("meetc::ratio<{0}>({1}{3}, {2}{3})", names.type, a.get_str(), b.get_str(), type);
 }
 
 syntax cpp_syntax(const body_names &names, const std::string &indent) {

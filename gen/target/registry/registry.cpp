@@ -206,6 +206,16 @@ void check_carried(const target &t, const unit &u) {
 }
 } // namespace
 
+namespace {
+// The place of the kernel after which a file is named, or of the first one.
+location place_of(const unit &u, const std::string &path) {
+  for (const lower::kernel &k : u.kernels)
+    if (path == fmt::format("{0}/{0}.hpp", k.asked.name()) || path.ends_with('/' + k.asked.name() + ".hpp"))
+      return k.asked.where;
+  return u.kernels.empty() ? location{} : u.kernels.front().asked.where;
+}
+} // namespace
+
 std::vector<file> files_of(const unit &u) {
   const auto is_asked = [&](const target &t) {
     return t.files && std::any_of(u.scene.backends.begin(), u.scene.backends.end(),
@@ -221,7 +231,7 @@ std::vector<file> files_of(const unit &u) {
   std::sort(out.begin(), out.end(), [](const file &a, const file &b) { return a.path < b.path; });
   for (std::size_t i = 1; i < out.size(); ++i)
     if (out[i].path == out[i - 1].path)
-      throw spec_error({},
+      throw spec_error(place_of(u, out[i].path),
                        fmt::format("'{}' would be written twice: a kernel has the name of the namespace or of a file "
                                    "that every namespace has; rename one",
                                    out[i].path));

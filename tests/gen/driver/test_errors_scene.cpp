@@ -124,7 +124,7 @@ const scene_row scenes[] = {
      "no 'opencl' in backends; known: cpp, c, python, cuda, every_pair", "'opencl'"},
     {"[scene]\nalgebra = 'a.toml'\nnamespace = 'x'\nkernels = []\nbackends = ['cpp', 'cpp']\n", "s.toml:5:20",
      "'cpp' is given twice", "'cpp'"},
-    {"[scene]\nalgebra = 'a.toml'\nnamespace = 'touch'\nkernels = ['touch']\n", "",
+    {"[scene]\nalgebra = 'a.toml'\nnamespace = 'touch'\nkernels = ['touch']\n", "s.toml:4:13",
      "'touch/touch.hpp' would be written twice", ""},
 };
 

@@ -39,3 +39,14 @@ TEST_CASE("an argument of one grade may be computed from parts that have more, a
   CHECK(compiles(with_kinds("pga3", call("meet", {twice, moved}), {"motor", "plane"})));
   CHECK(fault_of(with_kinds("pga3", call("meet", {twice, moved}), {"motor", "plane"})).empty());
 }
+
+TEST_CASE("the parts of a fraction may be integers of different sizes") {
+  const auto number = [](const char *decimals) {
+    return std::make_shared<expression>(expression{.is = form::number, .text = decimals});
+  };
+  const auto over = [](expression_ptr a, expression_ptr b) {
+    return std::make_shared<expression>(expression{.is = form::divide, .parts = {std::move(a), std::move(b)}});
+  };
+  const expression_ptr small = over(over(parameter(0), number("1000003")), number("1000003"));
+  CHECK(fault_of(with_kinds("pga3", small, {"motor"})).empty());
+}

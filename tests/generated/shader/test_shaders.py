@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Emitted GLSL gives the bits of the emitted C header, compiled without fused multiply-adds; WGSL gives its numbers where all
-arithmetic is exact. Every function for every shipped scene runs, on a software Vulkan.
+arithmetic is exact. Every function for a scene runs, on a software Vulkan.
 
-test_shaders.py emit MEETC SCENES FOLDER: writes the code for each of SCENES and for a scene of reserved words to FOLDER.
-test_shaders.py LANGUAGE COMPILER FOLDER: LANGUAGE is glsl or wgsl. Exits 77 where a tool is missing."""
+test_shaders.py LANGUAGE COMPILER MEETC SCENES FOLDER [SCENE ...]: LANGUAGE is glsl or wgsl. The code for each of the scenes in
+SCENES, or those that are named, and for a scene of reserved words goes to FOLDER. Exits 77 where a tool is missing."""
 
 import ctypes
 import glob
@@ -51,10 +51,11 @@ def generated(meetc, scene, folder):
     run(meetc, "generate", copy, "-o", os.path.join(folder, "out"), "--quiet")
 
 
-def emit(meetc, scenes, folder):
+def emit(meetc, scenes, folder, names):
     shutil.rmtree(folder, ignore_errors=True)
     os.makedirs(folder)
-    for scene in sorted(glob.glob(os.path.join(scenes, "*.toml"))) + [os.path.join(HERE, "words_scene.toml")]:
+    wanted = [os.path.join(scenes, name + ".toml") for name in names] or sorted(glob.glob(os.path.join(scenes, "*.toml")))
+    for scene in wanted + [os.path.join(HERE, "words_scene.toml")]:
         generated(meetc, scene, folder)
 
 
@@ -294,7 +295,5 @@ def compare(language, compiler, folder):
 
 
 if __name__ == "__main__":
-    if sys.argv[1] == "emit":
-        emit(*sys.argv[2:5])
-    else:
-        compare(*sys.argv[1:4])
+    emit(sys.argv[3], sys.argv[4], sys.argv[5], sys.argv[6:])
+    compare(sys.argv[1], sys.argv[2], sys.argv[5])
