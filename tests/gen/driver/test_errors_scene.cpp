@@ -85,7 +85,7 @@ const scene_row scenes[] = {
     {"# nothing\n", "s.toml:1:1", "s.toml has no [scene]", "#"},
     {"scene = 3\n", "s.toml:1:9", "scene must be a table", "3"},
     {"this is no toml\n", "s.toml:1:6", "expected '='", "i"},
-    {"[scene\n", "s.toml:1:7", "parsing table header", ""},
+    {"[scene\n", "s.toml:1:7", "in a table header: expected ']'", ""},
     {"[scene]\nalgebra = 'a.toml'\nnamespace = 'x'\nkernels = []\nkernel = []\n", "s.toml:5:1",
      "scene has no 'kernel'; it may have: algebra, namespace, kernels, zero, rungs, backends, box, tolerance, kinds, "
      "spec; did you "
@@ -121,11 +121,11 @@ const scene_row scenes[] = {
     {"[scene]\nalgebra = 'a.toml'\nnamespace = 'x'\nkernels = []\nbox = 1e-40\n", "s.toml:5:7",
      "scene.box must be at least 2^-126", "1e-40"},
     {"[scene]\nalgebra = 'a.toml'\nnamespace = 'x'\nkernels = []\nbackends = ['opencl']\n", "s.toml:5:13",
-     "no 'opencl' in backends; known: cpp, c, python, cuda, every_pair", "'opencl'"},
+     "no 'opencl' in backends; known: cpp, c, python, glsl, wgsl, cuda, every_pair", "'opencl'"},
     {"[scene]\nalgebra = 'a.toml'\nnamespace = 'x'\nkernels = []\nbackends = ['cpp', 'cpp']\n", "s.toml:5:20",
      "'cpp' is given twice", "'cpp'"},
     {"[scene]\nalgebra = 'a.toml'\nnamespace = 'touch'\nkernels = ['touch']\n", "s.toml:4:13",
-     "'touch/touch.hpp' would be written twice", ""},
+     "'touch/touch.hpp' would be written twice", "touch"},
 };
 
 } // namespace

@@ -96,17 +96,17 @@ TEST_CASE("functions of motions refuse what is none, by name") {
   CHECK_THAT(refused(folder, "pose(*)"), contains("no kind '*'"));
 }
 
-TEST_CASE("the backend c carries no roots, and a declared function hides what is none of the algebra's") {
+TEST_CASE("the backend glsl carries no roots, and a declared function hides what is none of the algebra's") {
   const temporary_folder folder;
   folder.write("a.toml", std::string(planes) + "[functions]\n'norm(A)' = 'rnorm2(A)'\n");
   folder.write("s.toml", "[scene]\nalgebra = 'a.toml'\nnamespace = 'x'\nbackends = ['cpp', 'c']\nrungs = ['fp64']\n"
                          "kernels = ['norm(motor)']\n");
   CHECK(run_meetc("generate s.toml -o out", folder.path()).code == 0);
   CHECK_THAT(read(folder.path() / "out" / "x" / "norm_motor.hpp"), contains("multiplications"));
-  folder.write("s.toml", "[scene]\nalgebra = 'a.toml'\nnamespace = 'x'\nbackends = ['c']\nrungs = ['fp64']\n"
+  folder.write("s.toml", "[scene]\nalgebra = 'a.toml'\nnamespace = 'x'\nbackends = ['glsl']\nrungs = ['fp32']\n"
                          "kernels = ['exp(line)']\n");
   CHECK_THAT(run_meetc("generate s.toml -o out", folder.path()).err,
-             contains("s.toml:6:13: error: the backend 'c' carries no functions but polynomials"));
+             contains("s.toml:6:13: error: the backend 'glsl' carries no functions but polynomials"));
   CHECK_THAT(run_meetc("show s.toml", folder.path()).out, contains("exp(line)"));
   CHECK_THAT(run_meetc("show s.toml 'exp(line)'", folder.path()).out, contains("meetc::motions::exp<T>"));
   CHECK(run_meetc("show s.toml 'exp(line)' --emit=poly", folder.path()).code == 2);
