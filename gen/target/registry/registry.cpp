@@ -200,6 +200,8 @@ void check_carried(const target &t, const unit &u) {
       refuse(k, "predicates");
     if (k.is_predicate && u.asks(lang::rung::certified) && !t.can.certified)
       refuse(k, "certified answers");
+    if (k.is_predicate && u.asks(lang::rung::exact) && !t.can.certified)
+      refuse(k, "exact answers");
     if (k.is_predicate && u.asks(lang::rung::tolerant) && !t.can.tolerant)
       refuse(k, "answers within a tolerance");
   }

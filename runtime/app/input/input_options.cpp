@@ -3,6 +3,7 @@
 #include "meet/app/input/failure.hpp"
 #include "meet/app/input/option_values.hpp"
 #include "meet/io/files/file_bytes.hpp"
+#include "meetc/number/motion.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -37,6 +38,20 @@ std::array<double, 12> matrix_named(const std::string &option, const std::string
   return out;
 }
 
+// The motion of a motor of pga3_planes.toml, of any length, as emitted pose(motor) reads its numbers.
+std::array<double, 12> motor_named(const std::string &option, const std::string &text) {
+  const std::vector<double> v = number_list(option.c_str(), text);
+  if (v.size() != 8)
+    throw failure(fmt::format("{}: 8 numbers expected, with commas between them, {} given", option, v.size()));
+  if (v[0] == 0 && v[1] == 0 && v[2] == 0 && v[3] == 0)
+    throw failure(fmt::format("{}: the scalar and the rotation are 0, so this is no motion", option));
+  double m[12];
+  motions::pose<double>({v[0], {-v[1], -v[2], -v[3]}, -v[7], {-v[4], -v[5], -v[6]}}, 2.0, m);
+  std::array<double, 12> out{};
+  std::copy_n(m, 12, out.begin());
+  return out;
+}
+
 } // namespace
 
 void add_reading(CLI::App &c, char side, input_arguments &to) {
@@ -51,11 +66,17 @@ void add_moving(CLI::App &c, char side, input_arguments &to) {
   c.add_option(option("scale", side), to.scale,
                fmt::format("Multiply {} by s first: coordinates and radii", letter(side)))
       ->type_name("s");
+  CLI::Option *const matrix = c.add_option(
+      option("matrix", side), to.matrix,
+      fmt::format("Then move {} by m00,m01,..,m23: 12 numbers, row-major 3x4, or 16, 4x4; for spheres a similarity",
+                  letter(side)));
+  matrix->type_name("NUMBERS");
   c.add_option(
-       option("matrix", side), to.matrix,
-       fmt::format("Then move {} by m00,m01,..,m23: 12 numbers, row-major 3x4, or 16, 4x4; for spheres a similarity",
+       option("motor", side), to.motor,
+       fmt::format("Or move {} by a motor on 1,e23,e31,e12,e01,e02,e03,e0123, where planes are vectors; of any length",
                    letter(side)))
-      ->type_name("NUMBERS");
+      ->type_name("NUMBERS")
+      ->excludes(matrix);
   c.add_option(option("translate", side), to.translate, fmt::format("Then move {} by x,y,z", letter(side)))
       ->type_name("x,y,z");
 }
@@ -71,6 +92,8 @@ io::read_options input_named(char side, const input_arguments &given) {
     out.move.scale = numbers<1>(option("scale", side).c_str(), *given.scale)[0];
   if (given.matrix)
     out.move.matrix = matrix_named(option("matrix", side), *given.matrix);
+  if (given.motor)
+    out.move.matrix = motor_named(option("motor", side), *given.motor);
   if (given.translate)
     out.move.translate = numbers<3>(option("translate", side).c_str(), *given.translate);
   out.move.check();

@@ -16,12 +16,12 @@ namespace meetc::app {
 
 // The options' values as they are on the command line.
 struct input_arguments {
-  std::optional<std::string> format, kind, scale, matrix, translate;
+  std::optional<std::string> format, kind, scale, matrix, motor, translate;
 };
 
 // --format-a and --kind-a for the side 'a'; likewise for 'b'.
 void add_reading(CLI::App &c, char side, input_arguments &to);
-// --scale-a, --matrix-a and --translate-a.
+// --scale-a, --matrix-a or --motor-a, and --translate-a.
 void add_moving(CLI::App &c, char side, input_arguments &to);
 
 // Throws io::error that names the option.

@@ -27,6 +27,8 @@ TEST_CASE("the target python refuses certified answers, and takes formulas whate
   CHECK_THAT(refused.err,
              contains("s.toml:5:44: error: the backend 'python' carries no certified answers, and the scene "
                       "asks for 'ball_ball'"));
+  write_scene(folder, "'python'", "'ball_ball'", "'fp64', 'exact'");
+  CHECK_THAT(run_meetc("generate s.toml -o out", folder.path()).err, contains("carries no exact answers"));
   CHECK_FALSE(fs::exists(folder.path() / "out"));
   write_scene(folder, "'python'", "'norm2(meet(sphere, sphere))'", "'fp64', 'certified'");
   CHECK(run_meetc("generate s.toml -o out", folder.path()).code == 0);

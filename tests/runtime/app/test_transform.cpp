@@ -71,3 +71,21 @@ TEST_CASE("the same pairs under exact scaling and translation") {
   put_mesh("tiny.ply", ball);
   CHECK(pairs_of({"tiny.ply", "ring.ply", "--scale-b", "8.673617379884035e-19"}) == pairs);
 }
+
+TEST_CASE("a motor of any length moves as its matrix does") {
+  // 1 - e12 turns by a quarter about z, x to y; 1 - d/2 e01 moves by d along x. The numbers are doubles.
+  CHECK(point_becomes("1,2,3", {"--motor-b", "3,0,0,-3,0,0,0,0"}, "-2,1,3"));
+  CHECK(point_becomes("1,2,3", {"--motor-b", "2,0,0,0,-5,0,0,0"}, "6,2,3"));
+  CHECK(point_becomes("1,2,3", {"--motor-b", "1,0,0,0,0,-1,2,0"}, "1,4,-1"));
+  CHECK_FALSE(point_becomes("1,2,3", {"--motor-b", "1,0,0,0,0,-1,2,0"}, "1,4,-1.0001"));
+  CHECK(
+      point_becomes("1,2,3", {"--scale-b", "2", "--motor-b", "1,0,0,-1,0,0,0,0", "--translate-b", "0,0,1"}, "-4,2,7"));
+  CHECK(becomes("1,0,0,1", {"--motor-b", "0.8,0,0,-0.6,0,0,0,0"}, "0.28,0.96,0,1"));
+  put("b.csv", "x,y,z,r\n1,0,0,1\n");
+  const auto fails = [](const char *motor) { return complaint({"collide", "b.csv", "b.csv", "--motor-b", motor}); };
+  CHECK(fails("1,2,3") == "--motor-b: 8 numbers expected, with commas between them, 3 given");
+  CHECK(fails("0,0,0,0,1,2,3,4") == "--motor-b: the scalar and the rotation are 0, so this is no motion");
+  CHECK(has(
+      complaint({"collide", "b.csv", "b.csv", "--motor-b", "1,0,0,0,0,0,0,0", "--matrix-b", "1,0,0,0,0,1,0,0,0,0,1,0"}),
+      "--motor-b excludes --matrix-b"));
+}
