@@ -165,7 +165,8 @@ times compile_files(const std::vector<target::file> &files, const std::string &s
   return out;
 }
 
-scene_figures figures_of(const std::string &scene, const compare_options &o, const published_counts &beside) {
+scene_figures figures_of(const std::string &scene, const compare_options &o, const published_counts &beside,
+                         std::vector<formula_cost> &formulas) {
   compilation c = load(scene, o.algebra_path);
   compile_all(c);
   scene_figures out;
@@ -191,6 +192,7 @@ scene_figures figures_of(const std::string &scene, const compare_options &o, con
   if (!o.cxx.empty() || !o.nvcc.empty())
     took = compile_files(files, target::identifier(c.scene->space), o, out);
   out.formulas = costs.empty() ? "" : formula_table(costs, took.formulas, beside);
+  formulas.insert(formulas.end(), costs.begin(), costs.end());
   return out;
 }
 
@@ -254,8 +256,10 @@ std::string table_of(const std::vector<scene_figures> &all, const compare_option
 int compare_scenes(const compare_options &o) {
   const published_counts beside = o.beside.empty() ? published_counts{} : read_published(o.beside);
   std::vector<scene_figures> all;
+  std::vector<formula_cost> formulas; // of all scenes
   for (const std::string &scene : o.scenes)
-    all.push_back(figures_of(scene, o, beside));
+    all.push_back(figures_of(scene, o, beside, formulas));
+  require_asked(beside, formulas);
   say(table_of(all, o));
   for (const scene_figures &f : all)
     if (!f.formulas.empty())

@@ -40,6 +40,7 @@ published_counts read_published(const std::string &path) {
         throw spec_error(in.place(*node),
                          fmt::format("there are {} generators and {} counts", out.generators.size(), of.size()));
       out.of.emplace(key->str(), of);
+      out.where.emplace(key->str(), in.place(*key));
     }
   return out;
 }
@@ -61,9 +62,6 @@ std::vector<formula_cost> formula_costs(const compilation &c) {
 
 std::string formula_table(const std::vector<formula_cost> &costs, const std::map<std::string, double> &nanoseconds,
                           const published_counts &beside) {
-  for (const auto &[text, of] : beside.of)
-    if (std::none_of(costs.begin(), costs.end(), [&](const formula_cost &f) { return f.text == text; }))
-      throw spec_error({}, fmt::format("there are counts of '{}', which the scene does not ask for", text));
   std::vector<std::vector<std::string>> rows{{"formula", "mul/add", "scalings", "prepared", "bytes"}};
   if (!nanoseconds.empty())
     rows[0].emplace_back("ns");
@@ -81,6 +79,12 @@ std::string formula_table(const std::vector<formula_cost> &costs, const std::map
     rows.push_back(std::move(row));
   }
   return in_columns(rows, false);
+}
+
+void require_asked(const published_counts &beside, const std::vector<formula_cost> &costs) {
+  for (const auto &[text, at] : beside.where)
+    if (std::none_of(costs.begin(), costs.end(), [&](const formula_cost &f) { return f.text == text; }))
+      throw spec_error(at, fmt::format("no scene asks for '{}'", text));
 }
 
 } // namespace meetc

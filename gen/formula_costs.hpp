@@ -15,6 +15,7 @@ namespace meetc {
 struct published_counts {
   std::vector<std::string> generators;
   std::map<std::string, std::vector<std::string>> of;
+  std::map<std::string, location> where; // of the same, in the file
 };
 // Throws spec_error where the file holds something else, or names a formula twice.
 published_counts read_published(const std::string &path);
@@ -29,9 +30,10 @@ struct formula_cost {
 std::vector<formula_cost> formula_costs(const compilation &c);
 
 // A row for each formula: multiplications/additions, scalings by powers of two, both for each object of a prepared operand,
-// bytes, nanoseconds by its text where there are any, and the counts of others. Throws spec_error where `beside` has counts of
-// none of these formulas.
+// bytes, nanoseconds by its text where there are any, and the counts of others.
 std::string formula_table(const std::vector<formula_cost> &costs, const std::map<std::string, double> &nanoseconds,
                           const published_counts &beside);
+// Throws spec_error where `beside` has counts of a formula that is none of these.
+void require_asked(const published_counts &beside, const std::vector<formula_cost> &costs);
 
 } // namespace meetc

@@ -7,8 +7,10 @@
 #include <cerrno>
 #include <cfenv>
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <fmt/format.h>
 
 namespace {
@@ -48,7 +50,9 @@ int main(int argc, char **argv) {
   generate_options g;
   CLI::App *generate_command = app.add_subcommand("generate", "Write the C++ and CUDA source that a scene asks for");
   generate_command->add_option("scene", g.scene, "Scene file (.toml)")->required();
-  generate_command->add_option("-o,--out", g.out, "Folder that holds what is emitted, and nothing else")->required();
+  generate_command->add_option("-o,--out", g.out, "Folder that holds what is emitted, and nothing else")
+      ->required()
+      ->check([](const std::string &folder) { return folder.empty() ? "its name is empty" : ""; });
   generate_command->add_flag("--check", g.check,
                              "Write nothing; exit 1 if a byte would change or if there is a stray file");
   generate_command->add_option("--namespace", g.space, "Namespace instead of the scene's");
@@ -141,7 +145,10 @@ int main(int argc, char **argv) {
     command
         ->add_option("--limit-seconds", most.seconds,
                      "The most time that this may take, for a spec that is not trusted")
-        ->check(CLI::Range(0.001, 1e6));
+        ->check(CLI::Range(0.01, 1e6))
+        ->check([](const std::string &text) {
+          return std::isfinite(std::strtod(text.c_str(), nullptr)) ? "" : "it must be finite";
+        });
     command->add_option("--limit-megabytes", most.megabytes, "The most memory that this may take")
         ->check(CLI::Range(1L, 100000000L));
   }

@@ -91,7 +91,8 @@ std::vector<file> shader_files(const shader_language &l, const unit &u, const st
 
 std::string shader_member(const std::string &name) {
   const std::string id = identifier(name);
-  return is_reserved_in_shaders(id) || id.starts_with("gl_") ? "m_" + id : id;
+  // No two names become one: a name that begins as a changed one does is changed too.
+  return is_reserved_in_shaders(id) || id.starts_with("gl_") || id.starts_with("m_") ? "m_" + id : id;
 }
 
 std::string shader_path(const std::string &path) {

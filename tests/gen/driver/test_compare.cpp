@@ -141,7 +141,7 @@ TEST_CASE("compare: a file of counts has its place where it is wrong") {
   fails("", "names its 'generators'");
   fails("generators = ['a']\nsums = 1\n", "counts.toml:2:1: error: a file of counts has no 'sums'");
   fails("generators = ['a']\n[counts]\n'motor*motor' = ['1/2', '3/4']\n", "there are 1 generators and 2 counts");
-  fails("generators = ['a']\n[counts]\n'motor' = ['1/2']\n", "counts of 'motor', which the scene does not ask for");
+  fails("generators = ['a']\n[counts]\n'motor' = ['1/2']\n", "counts.toml:3:1: error: no scene asks for 'motor'");
 }
 
 TEST_CASE("compare: an error is one line") {

@@ -47,3 +47,14 @@ TEST_CASE("limits that are wide enough change nothing") {
   CHECK(none.code == 2);
   CHECK_THAT(none.err, contains("--limit-seconds"));
 }
+
+TEST_CASE("a limit or a folder that is none is refused") {
+  const temporary_folder folder;
+  for (const char *const seconds : {"nan", "inf", "0", "-1"}) {
+    const outcome o = run_meetc(fmt::format("show s.toml --limit-seconds {}", seconds), folder.path());
+    INFO(seconds << ": " << o.err);
+    CHECK(o.code == 2);
+    CHECK_THAT(o.err, contains("--limit-seconds"));
+  }
+  CHECK_THAT(run_meetc("generate s.toml -o ''", folder.path()).err, contains("--out: its name is empty"));
+}

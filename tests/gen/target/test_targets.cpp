@@ -87,3 +87,15 @@ TEST_CASE("shaders compute in float32 alone") {
                                     name)));
   }
 }
+
+TEST_CASE("reserved words and the names that replace them are different members of a shader") {
+  const temporary_folder folder;
+  folder.write("a.toml", "[algebra]\nvectors = ['e1', 'e2']\nsquares = [1, 1]\n[kinds.pair]\n"
+                         "store = ['buffer: real', 'm_buffer: real']\nblade = 'buffer*e1 + m_buffer*e2'\n");
+  folder.write("s.toml", "[scene]\nalgebra = 'a.toml'\nnamespace = 'k'\nbackends = ['glsl', 'wgsl']\n"
+                         "rungs = ['fp32']\nkernels = ['pair*pair']\n");
+  REQUIRE(run_meetc("generate s.toml -o out", folder.path()).code == 0);
+  CHECK_THAT(read(folder.path() / "out" / "k" / "k.glsl"),
+             contains("float m_buffer;") && contains("float m_m_buffer;"));
+  CHECK_THAT(read(folder.path() / "out" / "k" / "k.wgsl"), contains("m_m_buffer: f32"));
+}
