@@ -1,6 +1,7 @@
 // How long formulas on sets take, beside the least that moving their numbers takes.
 #include "meet/bench/harness/method.hpp"
 #include "meet/bench/harness/report.hpp"
+#include "meet/bench/tables/formula_times.hpp"
 #include "meet/bench/tables/tables.hpp"
 #include "meet/core/query/evaluate.hpp"
 #include "meet/core/threads/threads.hpp"
@@ -74,13 +75,7 @@ void gather_and_write(const works_of &w, int threads) {
   });
 }
 
-struct row {
-  std::string formula;
-  int in, out;
-  double columns, copy, listed, gather;
-};
-
-row time_of(const formula_info &f, std::size_t n, const request &q) {
+formula_times time_of(const formula_info &f, std::size_t n, const request &q) {
   works_of w(f, n);
   byte_copy copy(w.bytes());
   host_clock clock(0);
@@ -105,27 +100,13 @@ row time_of(const formula_info &f, std::size_t n, const request &q) {
 std::string formulas(const app::kernel_library &kernels, const request &q) {
   const catalogue &all = app::kernels_named(kernels, q.instruction_set);
   const std::size_t n = q.quick ? 10000 : 2000000;
-  std::vector<row> rows;
-  for (const char *const name : {"norm2(meet(sphere, sphere))", "meet(sphere, sphere)", "norm2(meet(sphere, plane))",
-                                 "meet(plane, line)", "norm2(meet(circle, circle))"})
+  std::vector<formula_times> rows;
+  for (const char *const name : measured_formulas)
     rows.push_back(time_of(formula_named(all, name), n, q));
   report r;
-  r.tables = {table_of<row>(
-      "formulas", fmt::format("{} values of formulas on {} threads, {}", n, q.threads, name_of(all.compiled_for)),
-      {{"formula", "formula", of_words, &row::formula},
-       {"in", "numbers in", [](const row &x) { return of_count(static_cast<std::uint64_t>(x.in)); }},
-       {"out", "numbers out", [](const row &x) { return of_count(static_cast<std::uint64_t>(x.out)); }},
-       {"columns", "columns, ms", of_milliseconds, &row::columns},
-       {"copy", "copy, ms", of_milliseconds, &row::copy},
-       {"share_of_copy", "copy / columns", [](const row &x) { return of_ratio(x.copy / x.columns); }},
-       {"listed", "listed, ms", of_milliseconds, &row::listed},
-       {"gather", "gather, ms", of_milliseconds, &row::gather},
-       {"share_of_gather", "gather / listed", [](const row &x) { return of_ratio(x.gather / x.listed); }}},
-      rows,
-      {fmt::format(
-          "Medians of {} interleaved runs, by the clock on the wall. Copy: as many bytes read and written. Listed: "
-          "random rows of columns. Gather: the same rows read, and a sum written for each value.",
-          q.repetitions)})};
+  r.tables = {
+      table_of_formulas(fmt::format("{} values of formulas on {} threads, {}", n, q.threads, name_of(all.compiled_for)),
+                        rows, fmt::format("Medians of {} interleaved runs, by the clock on the wall.", q.repetitions))};
   return q.json ? as_json(r) : as_text(r);
 }
 

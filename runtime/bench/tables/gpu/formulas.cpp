@@ -1,4 +1,5 @@
 // The device's time for values of formulas, beside the least that moving their numbers takes.
+#include "meet/bench/tables/formula_times.hpp"
 #include "meet/bench/tables/gpu/measure.hpp"
 #include "meet/core/device/evaluate.hpp"
 
@@ -31,12 +32,6 @@ private:
   device_memory<float> memory_;
 };
 
-struct row {
-  std::string formula;
-  int in, out;
-  double columns, copy, listed, gather;
-};
-
 } // namespace
 
 table gpu_bench::measure_formulas(std::size_t values) {
@@ -48,9 +43,8 @@ table gpu_bench::measure_formulas(std::size_t values) {
   check(cudaMemcpy(listed.reserve(rows.size(), "rows"), rows.data(), rows.size() * sizeof rows[0],
                    cudaMemcpyHostToDevice),
         "uploading rows");
-  std::vector<row> out;
-  for (const char *const name : {"norm2(meet(sphere, sphere))", "meet(sphere, sphere)", "norm2(meet(sphere, plane))",
-                                 "meet(plane, line)", "norm2(meet(circle, circle))"}) {
+  std::vector<formula_times> out;
+  for (const char *const name : measured_formulas) {
     const formula_info &f = formula_named(all_, name);
     const cuda::formula_launchers &launchers = launchers_of(on_, f);
     const columns_there numbers(f.number_count, values), results(f.result_count, values);
@@ -87,23 +81,8 @@ table gpu_bench::measure_formulas(std::size_t values) {
     out.push_back({f.name, f.number_count, f.result_count, times.seconds[0], times.seconds[1], times.seconds[2],
                    times.seconds[3]});
   }
-  return table_of<row>(
-      "formulas", fmt::format("{} values of formulas, float32", values),
-      {{"formula", "formula", of_words, &row::formula},
-       {"in", "numbers in", [](const row &x) { return of_count(static_cast<std::uint64_t>(x.in)); }},
-       {"out", "numbers out", [](const row &x) { return of_count(static_cast<std::uint64_t>(x.out)); }},
-       {"columns", "columns, ms", of_milliseconds, &row::columns},
-       {"copy", "copy, ms", of_milliseconds, &row::copy},
-       {"share_of_copy", "copy / columns", [](const row &x) { return of_ratio(x.copy / x.columns); }},
-       {"listed", "listed, ms", of_milliseconds, &row::listed},
-       {"gather", "gather, ms", of_milliseconds, &row::gather},
-       {"share_of_gather", "gather / listed", [](const row &x) { return of_ratio(x.gather / x.listed); }}},
-      out,
-      {fmt::format(
-          "Medians of {} interleaved runs, by the device's events. Copy: as many bytes read and written. Listed: "
-          "random rows of columns. Gather: a kernel that reads the same rows and writes a sum in the place of each "
-          "value.",
-          runs)});
+  return table_of_formulas(fmt::format("{} values of formulas, float32", values), out,
+                           fmt::format("Medians of {} interleaved runs, by the device's events.", runs));
 }
 
 } // namespace meetc::bench
