@@ -1,9 +1,9 @@
 #include "meet/app/input/input_options.hpp"
 
 #include "meet/app/input/failure.hpp"
+#include "meet/app/input/motor.hpp"
 #include "meet/app/input/option_values.hpp"
 #include "meet/io/files/file_bytes.hpp"
-#include "meetc/number/motion.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -38,18 +38,16 @@ std::array<double, 12> matrix_named(const std::string &option, const std::string
   return out;
 }
 
-// The motion of a motor of pga3_planes.toml, of any length, as emitted pose(motor) reads its numbers.
+// A motor of any length; see motor.hpp.
 std::array<double, 12> motor_named(const std::string &option, const std::string &text) {
   const std::vector<double> v = number_list(option.c_str(), text);
-  if (v.size() != 8)
+  std::array<double, 8> motor{};
+  if (v.size() != motor.size())
     throw failure(fmt::format("{}: 8 numbers expected, with commas between them, {} given", option, v.size()));
-  if (v[0] == 0 && v[1] == 0 && v[2] == 0 && v[3] == 0)
+  if (std::all_of(v.begin(), v.begin() + 4, [](double x) { return x == 0; }))
     throw failure(fmt::format("{}: the scalar and the rotation are 0, so this is no motion", option));
-  double m[12];
-  motions::pose<double>({v[0], {-v[1], -v[2], -v[3]}, -v[7], {-v[4], -v[5], -v[6]}}, 2.0, m);
-  std::array<double, 12> out{};
-  std::copy_n(m, 12, out.begin());
-  return out;
+  std::copy_n(v.begin(), motor.size(), motor.begin());
+  return matrix_of_motor(motor);
 }
 
 } // namespace

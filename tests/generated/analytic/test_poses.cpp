@@ -1,13 +1,16 @@
 // A motor is a pose: its matrix moves every kind as V X ~V does, and a set in that pose gives the answers of the
 // moved elements.
+#include "meet/app/input/motor.hpp"
 #include "meet/core/query/collide.hpp"
 #include "meet/core/query/find.hpp"
 #include "tests/catch.hpp"
 #include "tests/generated/analytic/wide.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <planes/planes.hpp>
 #include <random>
 #include <rigid/rigid.hpp>
 #include <rigid/rigid_runtime.hpp>
@@ -127,4 +130,17 @@ TEST_CASE("a set in the pose of a motor gives the answers of the moved elements"
   meetc::pose none;
   pose(rigid::motor_blade<double>{}, none.m);
   CHECK_THROWS_AS(prepared(b, none), meetc::input_error);
+}
+
+TEST_CASE("the program reads a motor's numbers as the emitted pose does, bit for bit") {
+  source random(4);
+  for (int i = 0; i < 1000; ++i) {
+    std::array<double, 8> v{};
+    for (double &x : v)
+      x = random.number();
+    double want[12];
+    planes::pose(planes::motor<double>{v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7]}, want);
+    const std::array<double, 12> have = meetc::app::matrix_of_motor(v);
+    REQUIRE(std::equal(have.begin(), have.end(), want));
+  }
 }
