@@ -39,8 +39,7 @@ struct scene_figures {
 void count_kernel(const lower::kernel &k, scene_figures &to) {
   lower::kernel copy = k; // programs() returns references that passes may replace
   if (!k.is_predicate) {
-    const ir::program &p = k.value.stored_numbers ? k.value.from_stored : k.value.from_blades;
-    to.for_pairs += ir::count(p.nodes, p.results).total();
+    to.for_pairs += cheapest(k.value).total();
     return;
   }
   for (const lower::kernel_program &p : lower::programs(copy)) {

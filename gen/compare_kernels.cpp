@@ -1,6 +1,6 @@
 #include "gen/compare_kernels.hpp"
 
-#include "gen/ir/count.hpp"
+#include "gen/formula_costs.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -9,10 +9,6 @@
 
 namespace meetc {
 namespace {
-
-std::string mul_add(const ir::counts &c) {
-  return fmt::format("{}/{}", c.multiplications + c.fused, c.additions + c.fused);
-}
 
 // The widest factor of the signs of all stages. Empty: no rung of the scene needs bounds.
 std::string widest(bound::kernel_bounds b) {
@@ -26,8 +22,7 @@ std::string widest(bound::kernel_bounds b) {
 kernel_figures figures_of(const lower::kernel &k, const std::optional<bound::kernel_bounds> &bounds) {
   kernel_figures out{k.asked.text, {}, {}, {}};
   if (!k.is_predicate) {
-    const ir::program &p = k.value.stored_numbers ? k.value.from_stored : k.value.from_blades;
-    out.operations = mul_add(ir::count(p.nodes, p.results));
+    out.operations = ir::mul_add(cheapest(k.value));
     return out;
   }
   lower::kernel copy = k; // programs() returns references that passes may replace
@@ -40,7 +35,7 @@ kernel_figures figures_of(const lower::kernel &k, const std::optional<bound::ker
   std::set<int> atoms;
   for (const lower::stage *s : lower::stages(k.decision))
     atoms.insert(s->atoms.begin(), s->atoms.end());
-  out.operations = mul_add(sum);
+  out.operations = ir::mul_add(sum);
   out.atoms = fmt::format("{}", atoms.size());
   if (bounds)
     out.bound = widest(*bounds);

@@ -8,13 +8,6 @@
 #include <fmt/format.h>
 
 namespace meetc {
-namespace {
-
-// "5/3": multiplications and additions. A fused multiply-add is one of each.
-std::string numbers(const ir::counts &c) {
-  return fmt::format("{}/{}", c.multiplications + c.fused, c.additions + c.fused);
-}
-
 ir::counts cheapest(const lower::formula &f) {
   const ir::counts by_blades = ir::count(f.from_blades.nodes, f.from_blades.results);
   if (!f.stored_numbers)
@@ -22,8 +15,6 @@ ir::counts cheapest(const lower::formula &f) {
   const ir::counts by_stored = ir::count(f.from_stored.nodes, f.from_stored.results);
   return by_stored.total() < by_blades.total() ? by_stored : by_blades;
 }
-
-} // namespace
 
 published_counts read_published(const std::string &path) {
   const lang::toml_reader in(path);
@@ -67,8 +58,8 @@ std::string formula_table(const std::vector<formula_cost> &costs, const std::map
     rows[0].emplace_back("ns");
   rows[0].insert(rows[0].end(), beside.generators.begin(), beside.generators.end());
   for (const formula_cost &f : costs) {
-    std::vector<std::string> row{f.text, numbers(f.whole), fmt::format("{}", f.whole.scalings),
-                                 f.per_object ? numbers(*f.per_object) : "-", fmt::format("{}", f.bytes)};
+    std::vector<std::string> row{f.text, ir::mul_add(f.whole), fmt::format("{}", f.whole.scalings),
+                                 f.per_object ? ir::mul_add(*f.per_object) : "-", fmt::format("{}", f.bytes)};
     if (!nanoseconds.empty()) {
       const auto it = nanoseconds.find(f.text);
       row.push_back(it == nanoseconds.end() ? "-" : fmt::format("{:.2f}", it->second));

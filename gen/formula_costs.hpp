@@ -20,6 +20,9 @@ struct published_counts {
 // Throws spec_error where the file holds something else, or names a formula twice.
 published_counts read_published(const std::string &path);
 
+// The operations of the cheapest of a formula's programs, on blades or on stored numbers.
+ir::counts cheapest(const lower::formula &f);
+
 // The cost of one formula.
 struct formula_cost {
   std::string text;

@@ -75,4 +75,8 @@ counts count_pair(const program &p) {
   return count(p.nodes, p.results, p.stored);
 }
 
+std::string mul_add(const counts &c) {
+  return std::to_string(c.multiplications + c.fused) + '/' + std::to_string(c.additions + c.fused);
+}
+
 } // namespace meetc::ir

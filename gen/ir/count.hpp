@@ -2,6 +2,8 @@
 #pragma once
 #include "gen/ir/arena.hpp"
 
+#include <string>
+
 namespace meetc::ir {
 
 // The operations that the results need if the values of `given` are known. Negations and scalings, which are products with
@@ -10,6 +12,8 @@ struct counts {
   int multiplications = 0, additions = 0, fused = 0, scalings = 0, negations = 0;
   int total() const { return multiplications + additions + 2 * fused; }
 };
+// "5/3": multiplications and additions. A fused multiply-add is one of each.
+std::string mul_add(const counts &c);
 counts count(const arena &nodes, const std::vector<node_id> &results, const std::vector<node_id> &given = {});
 // The same for the nodes of one residency only.
 counts count(const arena &nodes, const std::vector<node_id> &results, residency where);

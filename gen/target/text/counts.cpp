@@ -9,12 +9,7 @@
 namespace meetc::target {
 namespace {
 
-// "5/3": multiplications and additions. A fused multiply-add is one of each. Scalings by powers of two and negations have
-// columns of their own.
-std::string numbers(const ir::counts &c) {
-  return fmt::format("{}/{}", c.multiplications + c.fused, c.additions + c.fused);
-}
-
+// Scalings by powers of two and negations have columns of their own.
 std::string row(const std::string &kernel, std::size_t width, const std::string &program, const std::string &all,
                 const std::string &a, const std::string &b, const std::string &pair, const std::string &scalings,
                 const std::string &negations) {
@@ -26,9 +21,9 @@ std::string rows(const lower::kernel &k, std::size_t width) {
   std::string out;
   lower::kernel copy = k; // programs() returns references that passes may replace
   for (const lower::kernel_program &p : lower::programs(copy)) {
-    const auto part = [&](poly::residency where) { return numbers(ir::count(*p.code, where)); };
+    const auto part = [&](poly::residency where) { return ir::mul_add(ir::count(*p.code, where)); };
     const ir::counts all = ir::count(p.code->nodes, p.code->results);
-    out += row(k.asked.text, width, p.title, numbers(all), part(poly::residency::a), part(poly::residency::b),
+    out += row(k.asked.text, width, p.title, ir::mul_add(all), part(poly::residency::a), part(poly::residency::b),
                part(poly::residency::pair), std::to_string(all.scalings), std::to_string(all.negations));
   }
   return out.empty() ? fmt::format("{:<{}}  zero\n", k.asked.text, width) : out;
