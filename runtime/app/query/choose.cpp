@@ -55,18 +55,6 @@ choice choose_by_name(const catalogue &all, const std::vector<choice> &fit, cons
 
 } // namespace
 
-std::vector<choice> fitting(const catalogue &all, const kind_info &a, const kind_info &b) {
-  std::vector<choice> out;
-  for (int i = 0; i < all.predicate_count; ++i) {
-    const predicate_info &p = all.predicates[i];
-    if (p.a == &a && p.b == &b)
-      out.push_back({&p, false});
-    else if (p.a == &b && p.b == &a)
-      out.push_back({&p, true});
-  }
-  return out;
-}
-
 choice choose(const catalogue &all, const kind_info &a, const kind_info &b, const std::optional<std::string> &name,
               const std::optional<std::string> &mode) {
   if (mode && *mode != "solid" && *mode != "surface")
@@ -83,9 +71,8 @@ choice choose(const catalogue &all, const kind_info &a, const kind_info &b, cons
     return c;
   }
   const std::string wanted = mode.value_or("solid");
-  for (const choice &c : fit)
-    if (const std::string_view own = c.predicate->mode; own.empty() || own == wanted)
-      return c;
+  if (const std::optional<choice> c = first_for(fit, wanted))
+    return *c;
   throw failure(fmt::format("no predicate for {} in --mode {}; there is: {}", kinds, wanted, names_of(fit)));
 }
 

@@ -1,26 +1,14 @@
 // app/query/choose.hpp: chooses the predicate for two kinds of element.
-//
-// A predicate takes an ordered pair of kinds, and a user gives them in either order. A predicate that takes them in the
-// other order therefore fits as well, and runs swapped.
 #ifndef MEETC_APP_QUERY_CHOOSE_HPP
 #define MEETC_APP_QUERY_CHOOSE_HPP
 
-#include "meetc/support.hpp"
+#include "meet/core/query/fitting.hpp"
 
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace meetc::app {
-
-struct choice {
-  const predicate_info *predicate = nullptr;
-  bool swapped = false; // the predicate's a is the user's b
-};
-
-// All predicates that fit, in the catalogue's order.
-std::vector<choice> fitting(const catalogue &all, const kind_info &a, const kind_info &b);
 
 // The predicate of that name; without a name the first that fits and answers for `mode`, by default "solid". Throws
 // failure that lists those that fit.

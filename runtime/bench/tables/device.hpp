@@ -19,7 +19,7 @@ namespace meetc::bench {
 // included.
 struct device_job {
   const io::element_set &a, &b;
-  app::choice by;
+  choice by;
 };
 
 struct device_time {

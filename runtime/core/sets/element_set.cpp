@@ -28,20 +28,6 @@ float largest(const float *v, std::size_t n, std::size_t stride) {
   return value;
 }
 
-// Widens set.reach and set.longest by these rows.
-void widen(element_set &set, const float *rows, std::size_t count, std::mutex &lock) {
-  const kind_info &kind = *set.kind;
-  const auto fields = static_cast<std::size_t>(kind.fields);
-  const std::size_t n = count * fields, stride = kind.points > 0 ? 1 : fields; // such kinds have coordinates only
-  for (std::size_t f = 0; f < stride; ++f) {
-    const float most =
-        kind.roles[f] == role::other ? std::numeric_limits<float>::infinity() : largest(rows + f, n - f, stride);
-    const std::scoped_lock hold(lock);
-    float &all = kind.roles[f] == role::length ? set.longest : set.reach;
-    all = std::max(all, most);
-  }
-}
-
 constexpr box nothing{{1, 1, 1}, {-1, -1, -1}};
 
 // Which boxes may touch an element of a set.
@@ -145,10 +131,7 @@ void fill_blocks(element_set &set, const float *rows, const std::uint64_t *keys,
   const auto fields = static_cast<std::size_t>(set.kind->fields);
   const level &leaves = set.boxes.levels[0];
   for (std::size_t block = begin; block < end; ++block) {
-    box_block &boxes = leaves.blocks[block];
     const std::size_t first = block * lanes, filled = leaves.filled(block);
-    if (filled < lanes)
-      boxes.clear();
     for (std::size_t slot = first; slot < first + filled; ++slot) {
       if (slot + ahead < set.elements)
         expect_row(rows + static_cast<std::uint32_t>(keys[slot + ahead]) * fields, fields);
@@ -157,14 +140,32 @@ void fill_blocks(element_set &set, const float *rows, const std::uint64_t *keys,
       set.order[slot] = element;
       copy_row(set.rows + slot * fields, row, fields);
     }
-    const row_boxes all(*set.kind, set.rows + first * fields, filled);
-    for (std::size_t i = 0; i < filled; ++i)
-      boxes.set(static_cast<int>(i), all[i]);
-    boxes.sanitise(static_cast<int>(filled));
+    box_rows(*set.kind, set.rows + first * fields, filled, leaves.blocks[block]);
   }
 }
 
 } // namespace
+
+magnitudes magnitudes_of(const kind_info &kind, const float *rows, std::size_t count) {
+  const auto fields = static_cast<std::size_t>(kind.fields);
+  const std::size_t n = count * fields, stride = kind.points > 0 ? 1 : fields; // such kinds have coordinates only
+  magnitudes all;
+  for (std::size_t f = 0; f < stride; ++f) {
+    const float most =
+        kind.roles[f] == role::other ? std::numeric_limits<float>::infinity() : largest(rows + f, n - f, stride);
+    all.add(kind.roles[f] == role::length ? magnitudes{0, most} : magnitudes{most, 0});
+  }
+  return all;
+}
+
+void box_rows(const kind_info &kind, const float *rows, std::size_t count, box_block &out) {
+  if (count < lanes)
+    out.clear();
+  const row_boxes all(kind, rows, count);
+  for (std::size_t i = 0; i < count; ++i)
+    out.set(static_cast<int>(i), all[i]);
+  out.sanitise(static_cast<int>(count));
+}
 
 element_set take_set(bump_allocator &from, const kind_info &kind, std::size_t elements) {
   element_set s;
@@ -204,7 +205,7 @@ status fill(element_set &set, const view &elements, const pose &at, const set_sc
   std::atomic<status> outcome{status::ok};
   std::mutex lock;
   survey all;
-  set.reach = set.longest = 0;
+  magnitudes most;
   set.grid = at.grid;
   for_chunks(threads, given, chunk, [&](int, std::size_t begin, std::size_t end) {
     const status s = in_place ? check_rows(kind, rows + begin * fields, end - begin)
@@ -213,7 +214,7 @@ status fill(element_set &set, const view &elements, const pose &at, const set_sc
       outcome.store(s, std::memory_order_relaxed);
       return;
     }
-    widen(set, rows + begin * fields, end - begin, lock);
+    const magnitudes of_mine = magnitudes_of(kind, rows + begin * fields, end - begin);
     survey mine;
     for (std::size_t first = begin; first < end; first += row_boxes::most) {
       const std::size_t count = std::min(row_boxes::most, end - first);
@@ -231,9 +232,11 @@ status fill(element_set &set, const view &elements, const pose &at, const set_sc
     }
     const std::scoped_lock hold(lock);
     all.add(mine);
+    most.add(of_mine);
   });
   if (outcome != status::ok)
     return outcome;
+  set.reach = most.reach, set.longest = most.longest;
 
   set.around = given > 0 ? all.around : nothing;
   set.elements = given;

@@ -24,10 +24,9 @@ struct element_set {
   std::size_t elements = 0; // that it holds
   float *rows = nullptr;
   std::uint32_t *order = nullptr;
-  box around; // all elements that it was filled from; lo > hi if there was none
-  // The largest |coordinate| and |length| of any row that it was filled from; infinite if a field is neither.
-  float reach = 0, longest = 0;
-  double grid = 0; // that of its pose: all numbers are multiples; 0: they are as they were given
+  box around;                   // all elements that it was filled from; lo > hi if there was none
+  float reach = 0, longest = 0; // the magnitudes of all rows that it was filled from
+  double grid = 0;              // that of its pose: all numbers are multiples; 0: they are as they were given
   hierarchy boxes;
 };
 
@@ -38,6 +37,17 @@ struct set_scratch {
   std::uint8_t *kept = nullptr; // 1 for an element that the set holds
   std::uint64_t *keys = nullptr, *more_keys = nullptr;
 };
+
+// The largest |coordinate| and |length| of some rows; infinite if a field is neither.
+struct magnitudes {
+  float reach = 0, longest = 0;
+
+  void add(const magnitudes &m) { reach = std::max(reach, m.reach), longest = std::max(longest, m.longest); }
+};
+magnitudes magnitudes_of(const kind_info &kind, const float *rows, std::size_t count);
+
+// The boxes of at most sixteen rows, finite, in the first lanes; the others become empty.
+void box_rows(const kind_info &kind, const float *rows, std::size_t count, box_block &out);
 
 element_set take_set(bump_allocator &from, const kind_info &kind, std::size_t elements);
 set_scratch take_scratch(bump_allocator &from, const kind_info &kind, std::size_t elements);

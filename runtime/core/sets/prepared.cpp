@@ -1,12 +1,21 @@
 #include "meet/core/sets/prepared.hpp"
 
 #include "meet/core/sets/normalised.hpp"
+#include "meet/core/sets/posed_blocks.hpp"
 #include "meet/core/threads/threads.hpp"
 
 #include <algorithm>
 #include <atomic>
 
 namespace meetc {
+namespace {
+
+std::uint64_t next_number() {
+  static std::atomic<std::uint64_t> prepared_sets{0};
+  return ++prepared_sets;
+}
+
+} // namespace
 
 prepared::prepared() = default;
 prepared::prepared(prepared &&) noexcept = default;
@@ -33,7 +42,6 @@ std::shared_ptr<const normalised_set> prepared::normalised(int power) const {
 
 prepared prepared::of(const view &elements, const kind_info &kind, const pose &at, int threads,
                       const prepared *counterpart) {
-  static std::atomic<std::uint64_t> prepared_sets{0};
   if (elements.elements > 0xffffffff)
     throw std::length_error(text(status::too_many_elements));
   bump_allocator set_need, scratch_need;
@@ -53,11 +61,49 @@ prepared prepared::of(const view &elements, const kind_info &kind, const pose &a
   if (s != status::ok)
     throw std::invalid_argument(text(s));
   p.elements_ = elements.elements;
-  p.number_ = ++prepared_sets;
+  p.number_ = next_number();
   p.counterpart_ = counterpart ? counterpart->number_ : 0;
   p.stored_ = std::make_unique<stored_table>(kind);
   p.normalised_ = std::make_unique<normalisation>();
   return p;
+}
+
+prepared prepared::of(const prepared &body, const pose &at, std::span<const box> near) {
+  const element_set &from = body.set();
+  const kind_info &kind = body.kind();
+  if (!body.whole())
+    throw std::invalid_argument("a body must hold all of its elements");
+  if (const status s = movable(kind, at); s != status::ok)
+    throw std::invalid_argument(text(s));
+  const posed_blocks blocks(from, at, near);
+  bump_allocator need;
+  take_set(need, kind, blocks.elements());
+
+  prepared p;
+  p.bytes_ = allocate(need.bytes());
+  bump_allocator bytes({p.bytes_.get(), need.bytes()});
+  p.set_ = std::make_unique<element_set>(take_set(bytes, kind, blocks.elements()));
+  if (const std::size_t bad = blocks.fill(*p.set_); bad < blocks.elements()) {
+    const std::uint32_t element = p.set_->order[bad];
+    view one;
+    const std::size_t slot =
+        static_cast<std::size_t>(std::find(from.order, from.order + from.elements, element) - from.order);
+    one.data = from.rows + slot * static_cast<std::size_t>(kind.fields);
+    one.elements = 1;
+    fault f = check(one, kind, at);
+    f.element = element;
+    throw input_error(f, kind);
+  }
+  p.elements_ = body.elements_;
+  p.number_ = next_number();
+  p.counterpart_ = several;
+  p.stored_ = std::make_unique<stored_table>(kind);
+  p.normalised_ = std::make_unique<normalisation>();
+  return p;
+}
+
+prepared posed(const prepared &body, const pose &at, std::span<const box> near) {
+  return under_standard_word([&] { return prepared::of(body, at, near); });
 }
 
 prepared prepare(const view &elements, const kind_info &kind, const pose &at, int threads,

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <stdexcept>
 
 namespace meetc {
@@ -22,6 +23,7 @@ public:
   fault where;
 };
 
+struct box;
 struct element_set;
 struct normalised_set;
 class normalisation;
@@ -42,7 +44,9 @@ public:
   void bounds(float lo[3], float hi[3]) const;
   const element_set &set() const { return *set_; }
   // Whether it was prepared for collisions with `other` (and, if it is whole, with any set).
-  bool fits(const prepared &other) const { return counterpart_ == 0 || counterpart_ == other.number_; }
+  bool fits(const prepared &other) const {
+    return counterpart_ == 0 || counterpart_ == other.number_ || counterpart_ == several;
+  }
   // Whether it holds all elements.
   bool whole() const { return counterpart_ == 0; }
   // Where the values that a predicate reads beside the rows are kept. Null if it reads none, or if `of`, the kind for
@@ -53,7 +57,10 @@ public:
 
 private:
   friend prepared prepare(const view &, const kind_info &, const pose &, int, const prepared *);
+  friend prepared posed(const prepared &, const pose &, std::span<const box>);
+  static constexpr std::uint64_t several = ~std::uint64_t{0}; // for sets that the caller knows
   prepared();
+  static prepared of(const prepared &body, const pose &, std::span<const box> near);
   static prepared of(const view &, const kind_info &, const pose &, int threads, const prepared *counterpart);
   std::size_t elements_ = 0;
   std::uint64_t number_ = 0, counterpart_ = 0; // of this set, and of the one that it was prepared for; 0: for any
@@ -71,6 +78,12 @@ private:
 // (2^32 elements or more) or std::bad_alloc.
 prepared prepare(const view &elements, const kind_info &kind, const pose &at = {}, int threads = 0,
                  const prepared *counterpart = nullptr);
+
+// The same elements in a pose, in the order of `body` and without ordering them again, for collisions with sets whose bounds
+// lie in one of the boxes `near`: it holds the blocks of sixteen elements that may touch these. Rows are those that prepare()
+// computes from the rows of `body` in the pose, bit for bit; answers are about all elements. bounds() is a box that may be
+// larger than the elements. `body` is whole. Throws as prepare() does; the fault names the element.
+prepared posed(const prepared &body, const pose &at, std::span<const box> near);
 
 } // namespace meetc
 

@@ -40,25 +40,34 @@ double largest_within(const predicate_info &predicate, double tolerance) {
   return grid >= 0x1p-149 ? grid : 0;
 }
 
-bool lies_apart(const pose &at, const float lo[3], const float hi[3], double longest, const float from[3],
-                const float to[3]) {
+bool lie_within(const pose &at, const float lo[3], const float hi[3], double longest, double least[3],
+                double greatest[3]) {
   constexpr double finite = 0x1p126;
   const double reach = longest * std::abs(at.length_scale) * (1 + 0x1p-22) + at.grid + 0x1p-140;
-  bool apart = false;
   for (std::ptrdiff_t k = 0; k < 3; ++k) {
     const double *const m = at.m + 4 * k;
-    double least = m[3], greatest = m[3], magnitude = std::abs(m[3]);
+    double low = m[3], high = m[3], magnitude = std::abs(m[3]);
     for (int j = 0; j < 3; ++j) {
       const double x = m[j] * static_cast<double>(lo[j]), y = m[j] * static_cast<double>(hi[j]);
-      least += std::fmin(x, y), greatest += std::fmax(x, y);
+      low += std::fmin(x, y), high += std::fmax(x, y);
       magnitude += std::fmax(std::abs(x), std::abs(y));
     }
     const double slack = 0x1p-22 * magnitude + at.grid + 0x1p-140;
     if (!(magnitude + reach + slack <= finite))
       return false;
-    apart = apart || least - slack - reach > static_cast<double>(to[k]) ||
-            greatest + slack + reach < static_cast<double>(from[k]);
+    least[k] = low - slack - reach, greatest[k] = high + slack + reach;
   }
+  return true;
+}
+
+bool lies_apart(const pose &at, const float lo[3], const float hi[3], double longest, const float from[3],
+                const float to[3]) {
+  double least[3], greatest[3];
+  if (!lie_within(at, lo, hi, longest, least, greatest))
+    return false;
+  bool apart = false;
+  for (int k = 0; k < 3; ++k)
+    apart = apart || least[k] > static_cast<double>(to[k]) || greatest[k] < static_cast<double>(from[k]);
   return apart;
 }
 
@@ -131,6 +140,11 @@ bool keeps_axes(const double *matrix) {
         keeps = keeps && (i == k ? matrix[4 * i + k] >= 0 : matrix[4 * i + k] == 0);
     return keeps;
   });
+}
+
+bool ends_in(const pose &at, const float lo[3], const float hi[3], double longest, double least[3],
+             double greatest[3]) {
+  return under_standard_word([&] { return lie_within(at, lo, hi, longest, least, greatest); });
 }
 
 bool proved_apart(const pose &at, const float lo[3], const float hi[3], double longest, const float from[3],

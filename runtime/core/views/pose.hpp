@@ -43,12 +43,16 @@ bool lies_along_axes(const kind_info &kind);
 // negative, and moves.
 bool keeps_axes(const double *matrix);
 
-// Whether it is proved that no element touches the box [from, to] in this pose. Without it the elements' boxes lie in [lo, hi],
-// and their lengths are at most `longest`. False wherever a number in the pose might not be finite.
+// The ends between which the boxes of elements lie in this pose, where without it they lie in [lo, hi] and lengths are at most
+// `longest`. Returns false, and no ends, where a number in the pose might not be finite.
 //
 // Proof: a coordinate lies between the sums of the least and of the greatest products. Let M be the sum of the magnitudes. The
-// pose's six roundings in fp64 and those here lose less than 2^-48 M, and the rounding to float32 loses 2^-24 of the rest, or
-// 2^-150; a grid moves the number by at most a half of it. The slack is more than all of these.
+// pose's six roundings in fp64 and those here lose less than 2^-48 M, the rounding to float32 loses 2^-24 of the rest, or
+// 2^-150, and that of the box's end twice as much; a grid moves the number by at most a half of it. The slack is more than all
+// of these.
+bool ends_in(const pose &at, const float lo[3], const float hi[3], double longest, double least[3], double greatest[3]);
+
+// Whether these ends prove that no element touches the box [from, to]. False where there are none.
 bool proved_apart(const pose &at, const float lo[3], const float hi[3], double longest, const float from[3],
                   const float to[3]);
 

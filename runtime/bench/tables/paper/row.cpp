@@ -21,7 +21,7 @@ pair_test test_by(const predicate_info &p, rung precision) {
   return {std::move(by), precision == rung::fp32};
 }
 
-app::choice choice_for(const paper_context &c, const io::element_set &a, const io::element_set &b) {
+choice choice_for(const paper_context &c, const io::element_set &a, const io::element_set &b) {
   return app::choose(c.all, *a.kind, *b.kind, {}, {});
 }
 
@@ -47,7 +47,7 @@ app::answers search_pairs(const paper_context &c, const io::element_set &a, cons
 
 paper_row measure_row(const paper_context &c, const io::element_set &a, const io::element_set &b,
                       const std::vector<pair_test> &tests, app::answers &found) {
-  const app::choice by = choice_for(c, a, b);
+  const choice by = choice_for(c, a, b);
   found = search_pairs(c, a, b, &a == &b);
   paper_row row;
   row.a = a.elements, row.b = b.elements, row.pairs = found.pairs;

@@ -109,7 +109,7 @@ std::vector<trade_cell> measure_pairs(const catalogue &all, const request &q, co
   if (!q.a)
     return out;
   const sets_of_scene &files = scenes[0];
-  for (const app::choice &c : app::fitting(all, *files.a.kind, *files.b.kind)) {
+  for (const choice &c : fitting(all, *files.a.kind, *files.b.kind)) {
     if (!is_measured(*c.predicate))
       continue;
     const io::element_set &a = c.swapped ? files.b : files.a, &b = c.swapped ? files.a : files.b;
@@ -124,7 +124,7 @@ std::vector<trade_cell> measure_pairs(const catalogue &all, const request &q, co
 // A scene at every rung: timed by turns, then asked once more for its answer, since lists of all rungs may be long.
 void measure_scene(const catalogue &all, const sets_of_scene &s, const request &q, bench_device *device, int threads,
                    std::vector<trade_query> &to) {
-  const app::choice by = app::choose(all, *s.a.kind, *s.b.kind, {}, {});
+  const choice by = app::choose(all, *s.a.kind, *s.b.kind, {}, {});
   const predicate_info &p = *by.predicate;
   const prepared a = app::prepare(by.swapped ? s.b : s.a), b = app::prepare(by.swapped ? s.a : s.b);
   collide_options options;

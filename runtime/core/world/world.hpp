@@ -1,0 +1,91 @@
+// core/world/world.hpp: many bodies, each a set in a pose, and which of them touch.
+//
+// A set is prepared once, in its own frame. Moving a body costs nothing until it is asked what touches: then the bounds of all
+// bodies are posed, and of the bodies that come near each other those elements that lie near the other's bounds
+// (core/sets/posed_blocks.hpp). Answers are those of sets that were prepared in the poses, bit for bit.
+#ifndef MEETC_CORE_WORLD_WORLD_HPP
+#define MEETC_CORE_WORLD_WORLD_HPP
+
+#include "meet/core/hierarchy/box.hpp"
+#include "meet/core/query/collide.hpp"
+#include "meet/core/query/fitting.hpp"
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace meetc {
+
+struct world_options {
+  answer_kind want = answer_kind::count; // for each pair of bodies
+  rung precision = rung::certified;
+  bool first = false; // stop at the first pair of bodies that touches: of all of them the least
+  int threads = 0;    // 0: all cores
+  float box = 0;      // as collide_options::box
+};
+
+// Two bodies that touch, a < b. In the answer, a's elements (or items) come first.
+struct touching_bodies {
+  std::uint32_t a, b;
+  result found;
+};
+
+struct world_answer {
+  std::vector<touching_bodies> touching; // sorted by a, then b
+  std::uint64_t near = 0;                // pairs of bodies whose bounds touch and that are not ignored
+  std::uint64_t candidates = 0;          // pairs of elements that were decided
+  double pose_seconds = 0, collide_seconds = 0;
+};
+
+// It may be asked by several threads at once, and changed by one at a time while none asks.
+class world {
+public:
+  // The predicate of two bodies is the first of the catalogue, which must outlive this, that fits and answers for the mode,
+  // "solid" or "surface".
+  explicit world(const catalogue &all, std::string_view mode = "solid");
+
+  // Adds a body, and returns its number; bodies are numbered from 0. One shape may be that of many bodies. owners: as
+  // collide_options::owner_a. Throws std::invalid_argument where the name is taken or empty, the shape is not whole, owners are
+  // not one for each element, or the kind cannot stand in this pose.
+  std::uint32_t add(std::string name, std::shared_ptr<const prepared> shape, const pose &at = {},
+                    std::vector<std::uint32_t> owners = {});
+  // Throws std::out_of_range for a body that is not there; std::invalid_argument where the kind cannot stand in the pose.
+  void move(std::uint32_t body, const pose &at);
+  // Whether the two bodies are asked about; at first, all are. Throws std::out_of_range.
+  void ignore(std::uint32_t a, std::uint32_t b, bool ignored = true);
+
+  std::size_t size() const { return bodies_.size(); }
+  const std::string &name(std::uint32_t body) const { return bodies_.at(body).name; }
+  const pose &at(std::uint32_t body) const { return bodies_.at(body).at; }
+  const prepared &shape(std::uint32_t body) const { return *bodies_.at(body).shape; }
+  std::optional<std::uint32_t> find(std::string_view name) const;
+
+  // Throws std::invalid_argument where no predicate fits two bodies that are near each other, or is not generated for the
+  // precision; input_error where an element is not finite in its pose, or breaks a rule of its kind there; std::bad_alloc.
+  world_answer touching(const world_options &options = {}) const;
+
+private:
+  struct entry {
+    std::string name;
+    std::shared_ptr<const prepared> shape;
+    pose at;
+    std::vector<std::uint32_t> owners;
+  };
+  choice predicate_of(const entry &a, const entry &b) const;
+  world_answer ask(const world_options &options) const;
+
+  const catalogue &all_;
+  std::string mode_;
+  std::vector<entry> bodies_;
+  std::unordered_map<std::string, std::uint32_t> numbers_;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> ignored_; // the lesser first
+};
+
+} // namespace meetc
+
+#endif
