@@ -17,6 +17,14 @@ struct box {
   float lo[3], hi[3];
 };
 
+// Whether a comparison says so.
+inline bool apart(const box &x, const box &y) {
+  bool found = false;
+  for (int k = 0; k < 3; ++k)
+    found |= (x.hi[k] < y.lo[k]) | (y.hi[k] < x.lo[k]);
+  return found;
+}
+
 // Widens an interval to one that is finite; NaN becomes an end of float32.
 inline void make_finite(float &lo, float &hi) {
   constexpr float most = std::numeric_limits<float>::max();

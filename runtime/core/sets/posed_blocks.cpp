@@ -29,12 +29,7 @@ posed_blocks::posed_blocks(const element_set &from, const pose &at, std::span<co
 }
 
 bool posed_blocks::touches(const box &b) const {
-  return std::ranges::any_of(near_, [&b](const box &n) {
-    bool apart = false;
-    for (int k = 0; k < 3; ++k)
-      apart |= (b.hi[k] < n.lo[k]) | (n.hi[k] < b.lo[k]);
-    return !apart;
-  });
+  return std::ranges::any_of(near_, [&b](const box &n) { return !apart(b, n); });
 }
 
 void posed_blocks::mark(int at, std::size_t block) {

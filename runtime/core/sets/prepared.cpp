@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <utility>
 
 namespace meetc {
 namespace {
@@ -50,6 +51,7 @@ prepared prepared::of(const view &elements, const kind_info &kind, const pose &a
 
   prepared p;
   p.bytes_ = allocate(set_need.bytes());
+  p.room_ = set_need.bytes();
   const owned_memory scratch_bytes = allocate(scratch_need.bytes());
   bump_allocator from({p.bytes_.get(), set_need.bytes()}), scratch_from({scratch_bytes.get(), scratch_need.bytes()});
   p.set_ = std::make_unique<element_set>(take_set(from, kind, elements.elements));
@@ -68,7 +70,7 @@ prepared prepared::of(const view &elements, const kind_info &kind, const pose &a
   return p;
 }
 
-prepared prepared::of(const prepared &body, const pose &at, std::span<const box> near) {
+prepared prepared::of(const prepared &body, const pose &at, std::span<const box> near, prepared &spare) {
   const element_set &from = body.set();
   const kind_info &kind = body.kind();
   if (!body.whole())
@@ -80,8 +82,14 @@ prepared prepared::of(const prepared &body, const pose &at, std::span<const box>
   take_set(need, kind, blocks.elements());
 
   prepared p;
-  p.bytes_ = allocate(need.bytes());
-  bump_allocator bytes({p.bytes_.get(), need.bytes()});
+  p.bytes_ = std::move(spare.bytes_);
+  p.room_ = std::exchange(spare.room_, 0);
+  if (p.room_ < need.bytes()) {
+    p.bytes_ = nullptr;
+    p.bytes_ = allocate(need.bytes());
+    p.room_ = need.bytes();
+  }
+  bump_allocator bytes({p.bytes_.get(), p.room_});
   p.set_ = std::make_unique<element_set>(take_set(bytes, kind, blocks.elements()));
   if (const std::size_t bad = blocks.fill(*p.set_); bad < blocks.elements()) {
     const std::uint32_t element = p.set_->order[bad];
@@ -102,8 +110,8 @@ prepared prepared::of(const prepared &body, const pose &at, std::span<const box>
   return p;
 }
 
-prepared posed(const prepared &body, const pose &at, std::span<const box> near) {
-  return under_standard_word([&] { return prepared::of(body, at, near); });
+prepared posed(const prepared &body, const pose &at, std::span<const box> near, prepared spare) {
+  return under_standard_word([&] { return prepared::of(body, at, near, spare); });
 }
 
 prepared prepare(const view &elements, const kind_info &kind, const pose &at, int threads,

@@ -31,7 +31,7 @@ class stored_rows;
 class stored_table;
 
 // Packed rows of kind().fields floats in spatial order, boxes and hierarchy. It is immutable, and several calls may use
-// it at once. Only a prepared() that was moved from holds no set; it may then only be assigned to or destroyed.
+// it at once. A prepared() that was moved from, or made from nothing, holds no set; it may only be assigned to or destroyed.
 class prepared {
 public:
   prepared(prepared &&) noexcept;
@@ -55,14 +55,15 @@ public:
   // The set times 2^power; null where it is not to be had (core/sets/normalised.hpp).
   std::shared_ptr<const normalised_set> normalised(int power) const;
 
+  prepared(); // holds nothing
+
 private:
   friend prepared prepare(const view &, const kind_info &, const pose &, int, const prepared *);
-  friend prepared posed(const prepared &, const pose &, std::span<const box>);
+  friend prepared posed(const prepared &, const pose &, std::span<const box>, prepared);
   static constexpr std::uint64_t several = ~std::uint64_t{0}; // for sets that the caller knows
-  prepared();
-  static prepared of(const prepared &body, const pose &, std::span<const box> near);
+  static prepared of(const prepared &body, const pose &, std::span<const box> near, prepared &spare);
   static prepared of(const view &, const kind_info &, const pose &, int threads, const prepared *counterpart);
-  std::size_t elements_ = 0;
+  std::size_t elements_ = 0, room_ = 0;        // the bytes that are held
   std::uint64_t number_ = 0, counterpart_ = 0; // of this set, and of the one that it was prepared for; 0: for any
   owned_memory bytes_;
   std::unique_ptr<element_set> set_;
@@ -82,8 +83,9 @@ prepared prepare(const view &elements, const kind_info &kind, const pose &at = {
 // The same elements in a pose, in the order of `body` and without ordering them again, for collisions with sets whose bounds
 // lie in one of the boxes `near`: it holds the blocks of sixteen elements that may touch these. Rows are those that prepare()
 // computes from the rows of `body` in the pose, bit for bit; answers are about all elements. bounds() is a box that may be
-// larger than the elements. `body` is whole. Throws as prepare() does; the fault names the element.
-prepared posed(const prepared &body, const pose &at, std::span<const box> near);
+// larger than the elements. `body` is whole. The memory of `spare`, which nobody uses any more, is used again where it suffices.
+// Throws as prepare() does; the fault names the element.
+prepared posed(const prepared &body, const pose &at, std::span<const box> near, prepared spare = {});
 
 } // namespace meetc
 

@@ -39,6 +39,17 @@ private:
   std::vector<box_block> blocks_;
 };
 
+// The posed boxes of the parts of a set: those of the highest level that has eight or more, or its elements' boxes.
+std::vector<box> parts_of(const element_set &set, const pose &at) {
+  int level = set.boxes.depth - 1;
+  while (level > 0 && set.boxes.levels[level].boxes < 8)
+    --level;
+  std::vector<box> out;
+  for (std::size_t i = 0; i < set.boxes.levels[level].boxes; ++i)
+    out.push_back(posed_box(at, set.boxes.levels[level].get(i), set.longest));
+  return out;
+}
+
 // The answer with the sets exchanged.
 result exchanged(result r) {
   r.pairs = transposed(std::move(r.pairs));
@@ -105,41 +116,71 @@ world_answer world::touching(const world_options &options) const {
   return under_standard_word([&] { return ask(options); });
 }
 
+std::vector<world::near_bodies> world::near_pairs(std::span<const box> bounds) const {
+  std::vector<near_bodies> out;
+  const bounds_of_bodies all(bounds);
+  for (std::uint32_t a = 0; a < bodies_.size(); ++a)
+    all.after(a, [&](std::size_t other) {
+      const auto b = static_cast<std::uint32_t>(other);
+      if (bodies_[a].shape->elements() > 0 && bodies_[b].shape->elements() > 0 && !ignored_.contains({a, b}))
+        out.push_back({a, b, predicate_of(bodies_[a], bodies_[b])});
+    });
+  return out;
+}
+
+// Poses each body that is near another, with the elements that lie near that one.
+void world::pose_shapes(std::span<const box> bounds, std::span<const near_bodies> pairs, int threads,
+                        std::vector<prepared> &shapes) const {
+  std::vector<std::vector<std::uint32_t>> near(bodies_.size());
+  for (const near_bodies &p : pairs)
+    near[p.a].push_back(p.b), near[p.b].push_back(p.a);
+  std::vector<std::vector<box>> parts(bodies_.size());
+  for_chunks(threads, bodies_.size(), 1, [&](int, std::size_t i, std::size_t) {
+    if (!near[i].empty())
+      parts[i] = parts_of(bodies_[i].shape->set(), bodies_[i].at);
+  });
+  shapes.resize(bodies_.size());
+  for_chunks(threads, bodies_.size(), 1, [&](int, std::size_t i, std::size_t) {
+    if (near[i].empty())
+      return;
+    std::vector<box> to;
+    for (const std::uint32_t other : near[i])
+      std::ranges::copy_if(parts[other], std::back_inserter(to), [&](const box &b) { return !apart(b, bounds[i]); });
+    try {
+      shapes[i] = posed(*bodies_[i].shape, bodies_[i].at, to, std::move(shapes[i]));
+    } catch (const input_error &e) {
+      throw input_error(e.where, bodies_[i].shape->kind(), "body " + bodies_[i].name + ", ");
+    }
+  });
+}
+
+result world::collide_pair(const near_bodies &p, std::span<const prepared> shapes, const world_options &options,
+                           int threads) const {
+  const std::uint32_t first = p.by.swapped ? p.b : p.a, second = p.by.swapped ? p.a : p.b;
+  collide_options of_pair;
+  of_pair.want = options.want;
+  of_pair.threads = threads;
+  of_pair.box = options.box;
+  of_pair.owner_a = bodies_[first].owners, of_pair.owner_b = bodies_[second].owners;
+  result r = collide(shapes[first], shapes[second], *p.by.predicate, options.precision, of_pair);
+  return p.by.swapped ? exchanged(std::move(r)) : r;
+}
+
 world_answer world::ask(const world_options &options) const {
-  struct pair_of_bodies {
-    std::uint32_t a, b;
-    choice by;
-  };
   const auto start = clock::now();
   const int threads = thread_count(options.threads);
   std::vector<box> bounds;
   for (const entry &b : bodies_)
     bounds.push_back(posed_box(b.at, b.shape->set().around, b.shape->set().longest));
-
+  const std::vector<near_bodies> pairs = near_pairs(bounds);
+  std::vector<prepared> shapes;
+  {
+    const std::scoped_lock hold(*lock_);
+    shapes = std::move(spare_);
+  }
+  pose_shapes(bounds, pairs, threads, shapes);
   world_answer out;
-  std::vector<pair_of_bodies> pairs;
-  std::vector<std::vector<box>> near(bodies_.size());
-  const bounds_of_bodies all(bounds);
-  for (std::uint32_t a = 0; a < bodies_.size(); ++a)
-    all.after(a, [&](std::size_t other) {
-      const auto b = static_cast<std::uint32_t>(other);
-      if (bodies_[a].shape->elements() == 0 || bodies_[b].shape->elements() == 0 || ignored_.contains({a, b}))
-        return;
-      pairs.push_back({a, b, predicate_of(bodies_[a], bodies_[b])});
-      near[a].push_back(bounds[b]), near[b].push_back(bounds[a]);
-    });
   out.near = pairs.size();
-
-  std::vector<std::optional<prepared>> sets(bodies_.size());
-  for_chunks(threads, bodies_.size(), 1, [&](int, std::size_t i, std::size_t) {
-    if (near[i].empty())
-      return;
-    try {
-      sets[i] = posed(*bodies_[i].shape, bodies_[i].at, near[i]);
-    } catch (const input_error &e) {
-      throw input_error(e.where, bodies_[i].shape->kind(), "body " + bodies_[i].name + ", ");
-    }
-  });
   out.pose_seconds = seconds_since(start);
 
   // Many pairs share the threads, and few have all of them each. Pairs are begun in their order, and those that were begun are
@@ -147,29 +188,24 @@ world_answer world::ask(const world_options &options) const {
   const bool together = pairs.size() >= 2 * static_cast<std::size_t>(threads);
   std::mutex lock;
   chunk_counter counter(pairs.size(), 1);
-  auto body_pairs = [&](int) {
+  auto body = [&](int) {
     for (std::size_t i, end; counter.take(i, end);) {
-      const pair_of_bodies &p = pairs[i];
-      collide_options of_pair;
-      of_pair.want = options.want;
-      of_pair.threads = together ? 1 : threads;
-      of_pair.box = options.box;
-      const std::uint32_t first = p.by.swapped ? p.b : p.a, second = p.by.swapped ? p.a : p.b;
-      of_pair.owner_a = bodies_[first].owners, of_pair.owner_b = bodies_[second].owners;
-      result r = collide(*sets[first], *sets[second], *p.by.predicate, options.precision, of_pair);
+      result r = collide_pair(pairs[i], shapes, options, together ? 1 : threads);
       const std::scoped_lock hold(lock);
       out.candidates += r.candidates;
       if (r.count == 0)
         continue;
-      out.touching.push_back({p.a, p.b, p.by.swapped ? exchanged(std::move(r)) : std::move(r)});
+      out.touching.push_back({pairs[i].a, pairs[i].b, std::move(r)});
       if (options.first)
         counter.close();
     }
   };
-  run_workers(together ? counter.workers(threads) : 1, counter, body_pairs);
+  run_workers(together ? counter.workers(threads) : 1, counter, body);
   std::ranges::sort(out.touching, {}, [](const touching_bodies &t) { return std::pair(t.a, t.b); });
   if (options.first && out.touching.size() > 1)
     out.touching.resize(1);
+  const std::scoped_lock hold(*lock_);
+  spare_ = std::move(shapes);
   out.collide_seconds = seconds_since(start) - out.pose_seconds;
   return out;
 }

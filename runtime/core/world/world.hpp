@@ -11,8 +11,10 @@
 #include "meet/core/query/fitting.hpp"
 
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -76,7 +78,16 @@ private:
     pose at;
     std::vector<std::uint32_t> owners;
   };
+  struct near_bodies {
+    std::uint32_t a, b;
+    choice by;
+  };
   choice predicate_of(const entry &a, const entry &b) const;
+  std::vector<near_bodies> near_pairs(std::span<const box> bounds) const;
+  void pose_shapes(std::span<const box> bounds, std::span<const near_bodies> pairs, int threads,
+                   std::vector<prepared> &shapes) const;
+  result collide_pair(const near_bodies &p, std::span<const prepared> shapes, const world_options &options,
+                      int threads) const;
   world_answer ask(const world_options &options) const;
 
   const catalogue &all_;
@@ -84,6 +95,9 @@ private:
   std::vector<entry> bodies_;
   std::unordered_map<std::string, std::uint32_t> numbers_;
   std::set<std::pair<std::uint32_t, std::uint32_t>> ignored_; // the lesser first
+  // The posed shapes of an earlier question, whose memory the next one uses.
+  std::unique_ptr<std::mutex> lock_ = std::make_unique<std::mutex>();
+  mutable std::vector<prepared> spare_;
 };
 
 } // namespace meetc

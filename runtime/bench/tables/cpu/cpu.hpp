@@ -43,10 +43,11 @@ struct cpu_result {
   std::vector<bar> bars;
 };
 
-void measure_precision(const cpu_context &c, cpu_result &to);  // what certainty costs in a query
-void measure_candidates(const cpu_context &c, cpu_result &to); // queries, beside other libraries
-void measure_balls(const cpu_context &c, cpu_result &to);      // many balls
-void measure_families(const cpu_context &c, cpu_result &to);   // triangle pairs by families, beside CGAL
+void measure_precision(const cpu_context &c, cpu_result &to);    // what certainty costs in a query
+void measure_candidates(const cpu_context &c, cpu_result &to);   // queries, beside other libraries
+void measure_balls(const cpu_context &c, cpu_result &to);        // many balls
+void measure_moved_bodies(const cpu_context &c, cpu_result &to); // many bodies
+void measure_families(const cpu_context &c, cpu_result &to);     // triangle pairs by families, beside CGAL
 
 } // namespace meetc::bench
 
