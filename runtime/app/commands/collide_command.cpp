@@ -109,7 +109,7 @@ void write_all(const collide_request &q, const std::optional<formula_choice> &fo
 
 } // namespace
 
-std::string collide(const catalogue &all, const collide_request &q) {
+printed collide(const catalogue &all, const collide_request &q) {
   output_files outputs({q.a, q.b});
   check_outputs(q, outputs);
   const auto start = std::chrono::steady_clock::now();
@@ -162,7 +162,7 @@ std::string collide(const catalogue &all, const collide_request &q) {
                         {},
                         {}};
   write_all(q, formula, outputs, report);
-  return q.json ? as_json(report) : summary(report);
+  return {q.json ? as_json(report) : summary(report), q.fail_on_touch && found.pairs > 0 ? check_failed : done};
 }
 
 } // namespace meetc::app

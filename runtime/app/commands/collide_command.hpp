@@ -21,7 +21,7 @@ struct collide_request {
   rung precision = rung::certified;
   double tolerance = 0; // 0: no answer may be wrong
   io::read_options read_a, read_b;
-  bool any = false, json = false;
+  bool any = false, json = false, fail_on_touch = false;
   std::optional<std::filesystem::path> pairs, first, colour, image;
   std::vector<std::string> evaluate; // a formula and the file for its values, or none
   int threads = 0;
@@ -29,9 +29,9 @@ struct collide_request {
   processor on = processor::cpu;
 };
 
-// Writes the requested files and returns the text for standard output. If a set leaves the scene's box, a line
-// on standard error warns of it. Throws io::error.
-std::string collide(const catalogue &all, const collide_request &request);
+// Writes the requested files and returns the text for standard output; with fail_on_touch the exit code is check_failed where
+// something touches. If a set leaves the scene's box, a line on standard error warns of it. Throws io::error.
+printed collide(const catalogue &all, const collide_request &request);
 
 // The command and its options.
 command add_collide(CLI::App &program, const kernel_library &all);

@@ -4,11 +4,14 @@
 #include "meet/app/input/input_options.hpp"
 #include "meet/app/input/option_values.hpp"
 #include "meet/app/query/choose.hpp"
+#include "meet/app/world/collide_bodies.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
+#include <span>
 
 namespace meetc::app {
 
@@ -20,13 +23,35 @@ struct arguments {
   std::string precision = "certified", device = "auto", instruction_set = "auto";
   std::optional<std::string> tolerance, threads, devices;
   input_arguments a, b;
+  bodies_request bodies; // of --world, or of more than two files
+  std::vector<std::filesystem::path> more;
+  std::vector<std::string> allowed;
+  std::optional<std::string> only;
+
+  bool many() const { return bodies.world || !more.empty(); }
 };
 
 void add_sets(CLI::App &c, arguments &to) {
-  c.add_option("A", to.request.a, files_help)->required()->type_name("FILE");
+  c.add_option("A", to.request.a, files_help)->type_name("FILE");
   c.add_option("B", to.request.b, "The other set; the same file gives every ordered pair (i, j), i = j included")
-      ->required()
       ->type_name("FILE");
+  c.add_option("C", to.more, "Further bodies: the answer is then which bodies touch")->type_name("FILE");
+}
+
+void add_bodies(CLI::App &c, arguments &to) {
+  c.add_option(
+       "--world", to.bodies.world,
+       "Collide the bodies that a file lists, with their poses and the pairs that may touch: {\"bodies\": [{\"name\", "
+       "\"file\", \"pose\"}], \"allow\": [[\"arm\", \"tool\"]]}")
+      ->type_name("cell.json");
+  c.add_option("--poses", to.bodies.poses,
+               "Move the bodies frame by frame: rows of frame,body and a 3x4 matrix m00,..,m23, or x,y,z,qw,qx,qy,qz")
+      ->type_name("poses.csv");
+  c.add_option("--allow", to.allowed, "A pair of bodies that may touch, such as arm,tool or floor,*; may be repeated")
+      ->type_name("NAME,NAME");
+  c.add_option("--only", to.only, "Ask about this pair of bodies alone, such as arm,*")->type_name("NAME,NAME");
+  c.add_flag("--fail-on-touch", to.request.fail_on_touch, "Exit with 1 where something touches")
+      ->disable_flag_override();
 }
 
 void add_question(CLI::App &c, arguments &to) {
@@ -69,7 +94,10 @@ void add_answers(CLI::App &c, arguments &to) {
              "Tell only whether anything touches: stop at the first pair found, so that pairs is 0 or 1, and do not "
              "name it")
       ->disable_flag_override();
-  c.add_option("--pairs", q.pairs, "Write all pairs, sorted; indices from 0 in file order")->type_name("out.csv");
+  c.add_option(
+       "--pairs", q.pairs,
+       "Write all pairs, sorted; indices from 0 in file order. For many bodies a folder, with a file for each two")
+      ->type_name("out.csv");
   c.add_option(
        "--first", q.first,
        "Write for each segment that touches a triangle the pair that it meets first on its way from its first "
@@ -113,6 +141,46 @@ const collide_request &read(arguments &args) {
   return q;
 }
 
+// Throws failure for an option that was given and that is for another number of bodies.
+void require_fit(const CLI::App &c, bool many) {
+  constexpr const char *of_many[] = {"--world", "--poses", "--allow", "--only"};
+  constexpr const char *of_both[] = {"A",       "B",      "C",         "--mode",          "--precision",      "--any",
+                                     "--pairs", "--json", "--threads", "--fail-on-touch", "--instruction-set"};
+  const auto among = [](std::span<const char *const> names, const std::string &name) {
+    return std::ranges::any_of(names, [&name](const char *n) { return name == n; });
+  };
+  for (const CLI::Option *const o : c.get_options()) {
+    const std::string name = o->get_name();
+    if (o->count() == 0 || among(of_both, name) || among(of_many, name) == many)
+      continue;
+    throw failure(many ? fmt::format("{}: it is for two sets, and not for many bodies", name)
+                       : fmt::format("{}: it is for many bodies, as of --world or of three files and more", name));
+  }
+}
+
+printed collide_many(const kernel_library &all, arguments &args) {
+  bodies_request &q = args.bodies;
+  const collide_request &r = args.request;
+  if (q.world && !r.a.empty())
+    throw failure(fmt::format("{}: --world lists all bodies; name the file there", r.a.string()));
+  q.files = {r.a, r.b};
+  q.files.insert(q.files.end(), args.more.begin(), args.more.end());
+  if (r.mode)
+    q.mode = *r.mode;
+  if (q.mode != "solid" && q.mode != "surface")
+    throw failure(fmt::format("--mode {}: unknown; known: solid, surface", io::quote(q.mode)));
+  q.precision = precision_named(args.precision);
+  q.any = r.any, q.json = r.json, q.pairs = r.pairs;
+  if (args.threads)
+    q.threads = threads_named(*args.threads);
+  for (const std::string &text : args.allowed)
+    q.allowed.push_back(name_pair_of("--allow", text));
+  if (args.only)
+    q.only = name_pair_of("--only", *args.only);
+  bodies_report report = collide_bodies(kernels_named(all, args.instruction_set), q);
+  return {std::move(report.text), r.fail_on_touch && report.touch ? check_failed : done};
+}
+
 } // namespace
 
 command add_collide(CLI::App &program, const kernel_library &all) {
@@ -121,7 +189,16 @@ command add_collide(CLI::App &program, const kernel_library &all) {
   add_sets(c, *args);
   add_question(c, *args);
   add_answers(c, *args);
-  return {&c, [all, args] { return collide(kernels_named(all, args->instruction_set), read(*args)); }};
+  add_bodies(c, *args);
+  return {&c, [all, args, &c] {
+            require_fit(c, args->many());
+            if (args->many())
+              return collide_many(all, *args);
+            if (args->request.a.empty() || args->request.b.empty())
+              throw failure(
+                  fmt::format("{} is required (meet collide --help says more)", args->request.a.empty() ? "A" : "B"));
+            return collide(kernels_named(all, args->instruction_set), read(*args));
+          }};
 }
 
 } // namespace meetc::app

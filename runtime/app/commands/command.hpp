@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CLI {
@@ -12,9 +13,16 @@ class App;
 
 namespace meetc::app {
 
+// The text for standard output, and the exit code where it can be written.
+struct printed {
+  std::string text;
+  int code = 0;
+  printed(std::string t, int c = 0) : text(std::move(t)), code(c) {} // NOLINT: most commands have a text alone
+};
+
 struct command {
   CLI::App *parser = nullptr;
-  std::function<std::string()> run; // returns the text for standard output; empty where there are subcommands
+  std::function<printed()> run;     // empty where there are subcommands
   std::vector<command> parts = {};  // subcommands, of which one must be given
   std::string part_is_missing = {}; // the message where none is given
 };

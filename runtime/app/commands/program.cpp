@@ -156,7 +156,9 @@ int obey(int argc, char **argv, const std::vector<add_command> &add) {
   const command *given = parsed(commands);
   while (!given->parts.empty())
     given = parsed(given->parts);
-  return print(given->run());
+  const printed out = given->run();
+  const int code = print(out.text);
+  return code == done ? out.code : code;
 }
 
 } // namespace

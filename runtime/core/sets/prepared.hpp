@@ -83,7 +83,7 @@ prepared prepare(const view &elements, const kind_info &kind, const pose &at = {
 // The same elements in a pose, in the order of `body` and without ordering them again, for collisions with sets whose bounds
 // lie in one of the boxes `near`: it holds the blocks of sixteen elements that may touch these. Rows are those that prepare()
 // computes from the rows of `body` in the pose, bit for bit; answers are about all elements. bounds() is a box that may be
-// larger than the elements. `body` is whole. The memory of `spare`, which nobody uses any more, is used again where it suffices.
+// larger than the elements. `body` is whole. The memory of `spare`, which nobody uses any more, serves again where it suffices.
 // Throws as prepare() does; the fault names the element.
 prepared posed(const prepared &body, const pose &at, std::span<const box> near, prepared spare = {});
 

@@ -30,7 +30,7 @@ std::string said(float box, const fs::path &a, const fs::path &b, const char *pa
   std::FILE *const file = std::fopen((folder() / "stderr.txt").c_str(), "wb");
   REQUIRE(file);
   ::dup2(::fileno(file), STDERR_FILENO);
-  const std::string out = meetc::app::collide(all, q);
+  const std::string out = meetc::app::collide(all, q).text;
   std::fflush(stderr);
   ::dup2(kept, STDERR_FILENO);
   ::close(kept);

@@ -1,0 +1,165 @@
+// Many bodies on the command line: who touches whom, frame by frame.
+#include "fixture.hpp"
+
+using namespace fixture;
+
+namespace {
+
+// Cubes with sides of length 1 about the origin, and a ball of radius 0.25.
+void put_files() {
+  put_mesh("cube.ply", meetc::bodies::block(1, 1, 1, 0));
+  put_mesh("slab.ply", meetc::bodies::block(8, 1, 8, 0));
+  put("ball.csv", "x,y,z,r\n0,0,0,0.25\n");
+}
+
+std::string world(const std::string &bodies, const std::string &more = "") {
+  return put("cell.json", "{\"bodies\": [" + bodies + "]" + more + "}");
+}
+
+// "arm-tool" for each two that touch in a frame, in their order.
+std::vector<std::string> touching(const json &all, std::size_t frame = 0) {
+  std::vector<std::string> out;
+  for (const json &t : all["frames"].at(frame)["touching"])
+    out.push_back(t["a"].get<std::string>() + "-" + t["b"].get<std::string>());
+  return out;
+}
+
+using names = std::vector<std::string>;
+
+constexpr const char *three = R"({"name": "left", "file": "cube.ply", "pose": [1,0,0,-0.75, 0,1,0,0, 0,0,1,0]},
+  {"name": "right", "file": "cube.ply", "pose": [0.75,0,0,1,0,0,0]},
+  {"file": "ball.csv", "pose": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]})";
+
+} // namespace
+
+TEST_CASE("three files and more are bodies that stand as they are") {
+  put_files();
+  const json all = answer({"cube.ply", "slab.ply", "ball.csv", "cube.ply"});
+  CHECK(touching(all) == names{"cube-slab", "cube-cube 2", "slab-cube 2"});
+  CHECK(all["bodies"].size() == 4);
+  CHECK(all["bodies"][2] == json{{"name", "ball"}, {"kind", "sphere"}, {"elements", 1}});
+  const said s = run({"collide", "cube.ply", "slab.ply", "ball.csv"});
+  CHECK(s.code == 0);
+  CHECK(has(s.out, "cube  12 faces"));
+  CHECK(has(s.out, "cube - slab ("));
+}
+
+TEST_CASE("a world file places bodies, and closed ones touch where they meet in a plane") {
+  put_files();
+  world(three);
+  CHECK(touching(answer({"--world", "cell.json"})) == names{"left-ball", "right-ball"}); // at x = -0.25 and 0.25
+  world(R"({"name": "left", "file": "cube.ply", "pose": [-0.5,0,0, 1,0,0,0]},
+           {"name": "right", "file": "cube.ply", "pose": [0.5,0,0, 1,0,0,0]},
+           {"name": "far", "file": "cube.ply", "pose": [1.50000001,0,0, 0,0,0,2]})"); // turned by half, exactly; not in float32
+  CHECK(touching(answer({"--world", "cell.json"})) == names{"left-right", "right-far"});
+}
+
+TEST_CASE("pairs that may touch, and the only ones that are asked about") {
+  put_files();
+  world(three, R"(, "allow": [["ball", "left"]])");
+  CHECK(touching(answer({"--world", "cell.json"})) == names{"right-ball"});
+  CHECK(touching(answer({"--world", "cell.json", "--allow", "ball,*"})).empty());
+  world(three);
+  CHECK(touching(answer({"--world", "cell.json", "--only", "left,*"})) == names{"left-ball"});
+  CHECK(touching(answer({"--world", "cell.json", "--only", "left,right"})).empty());
+  CHECK(touching(answer({"--world", "cell.json", "--allow", "left,ball", "--allow", "right, ball"})).empty());
+}
+
+TEST_CASE("poses move bodies frame by frame, and those that are not named stay") {
+  put_files();
+  world(three);
+  put("poses.csv", "frame,body,x,y,z,qw,qx,qy,qz\n"
+                   "# the ball goes to the left\n"
+                   "0,ball,-0.125,0,0,1,0,0,0\n"
+                   "\n"
+                   "1,ball,0,9,0,1,0,0,0\n1,left,0.75,9,0,0,0,3,0\n"
+                   "last,right,0,9,0,1,0,0,0\n");
+  const json all = answer({"--world", "cell.json", "--poses", "poses.csv"});
+  REQUIRE(all["frames"].size() == 3);
+  CHECK(touching(all, 0) == names{"left-ball"});
+  CHECK(touching(all, 1).empty());
+  CHECK(touching(all, 2) == names{"left-right"}); // and the ball, which is a solid inside of a surface, touches neither
+  CHECK(all["frames"][2]["frame"] == "last");
+  const said s = run({"collide", "--world", "cell.json", "--poses", "poses.csv"});
+  CHECK(has(s.out, "frame 0     left - ball ("));
+  CHECK(has(s.out, "frame 1     nothing touches"));
+  put("matrices.csv", "frame,body,m00,m01,m02,m03,m10,m11,m12,m13,m20,m21,m22,m23\n0,ball,1,0,0,9,0,1,0,0,0,0,1,0\n");
+  CHECK(touching(answer({"--world", "cell.json", "--poses", "matrices.csv"})).empty());
+}
+
+TEST_CASE("the pairs of each two bodies are those of the two files") {
+  put_files();
+  world(R"({"name": "a", "file": "cube.ply"}, {"name": "b", "file": "slab.ply", "pose": [0.25,0.25,0, 1,0,0,0]},
+           {"name": "c", "file": "ball.csv", "pose": [9,9,9, 1,0,0,0]})");
+  const json all = answer({"--world", "cell.json", "--pairs", "out"});
+  CHECK(touching(all) == names{"a-b"});
+  answer({"cube.ply", "slab.ply", "--translate-b", "0.25,0.25,0", "--pairs", "two.csv"});
+  CHECK(get(at("out/a_b.csv")) == get(at("two.csv")));
+  CHECK(!get(at("two.csv")).empty());
+}
+
+TEST_CASE("any stops, and a touch may be a failure") {
+  put_files();
+  world(three);
+  const json any = answer({"--world", "cell.json", "--any"});
+  CHECK(touching(any) == names{"left-ball"});
+  CHECK(run({"collide", "--world", "cell.json", "--fail-on-touch"}).code == 1);
+  CHECK(run({"collide", "--world", "cell.json", "--fail-on-touch", "--allow", "ball,*"}).code == 0);
+  CHECK(run({"collide", "cube.ply", "slab.ply", "--fail-on-touch"}).code == 1);
+  CHECK(run({"collide", "cube.ply", "ball.csv", "--fail-on-touch"}).code == 0);
+}
+
+TEST_CASE("a fault of a world is one line that names the place") {
+  put_files();
+  const auto fault_of = [](const std::string &bodies, const std::string &more = "") {
+    world(bodies, more);
+    return complaint({"collide", "--world", "cell.json"});
+  };
+  CHECK(has(fault_of("{\"file\": \"cube.ply\"", ""), "cell.json:1:34: syntax error"));
+  CHECK(has(fault_of(""), "cell.json: bodies: a list of bodies is expected"));
+  CHECK(has(fault_of("{\"name\": \"a\"}"), "cell.json: bodies[0]: \"file\" is missing"));
+  CHECK(has(fault_of("{\"file\": \"cube.ply\", \"pos\": []}"), "bodies[0]: unknown key 'pos'; did you mean 'pose'?"));
+  CHECK(has(fault_of("{\"file\": \"cube.ply\", \"pose\": [1,2]}"), "bodies[0].pose: 2 numbers; a pose is"));
+  CHECK(has(fault_of("{\"file\": \"cube.ply\", \"pose\": [0,0,0,0,0,0,0]}"), "the quaternion is 0"));
+  CHECK(has(fault_of("{\"file\": \"cube.ply\", \"pose\": [1,0,0,0, 0,2,0,0, 0,0,1,0]}"), "this is no motion"));
+  CHECK(has(fault_of("{\"file\": \"cube.ply\", \"pose\": \"x\"}"), "bodies[0].pose: a list of numbers is expected"));
+  CHECK(has(fault_of("{\"file\": \"none.ply\"}"), "none.ply"));
+  CHECK(has(fault_of("{\"file\": \"cube.ply\"}, {\"file\": \"cube.ply\"}"), "body cube: the name is taken"));
+  CHECK(has(fault_of("{\"file\": \"cube.ply\"}", ", \"allow\": [[\"cubes\", \"*\"]]"),
+            "allow[0]: no body is named 'cubes'; did you mean 'cube'?"));
+  CHECK(has(fault_of("{\"file\": \"cube.ply\"}", ", \"allow\": [\"cube\"]"), "allow[0]: a pair of names is expected"));
+  CHECK(has(fault_of("{\"name\": \"a\", \"file\": \"cube.ply\", \"pose\": [1,0,0,1e39, 0,1,0,0, 0,0,1,0]}, {\"file\": "
+                     "\"cube.ply\"}"),
+            "body a, element 0: x0 becomes inf under the pose"));
+  world(three);
+  const auto fault_of_poses = [](const std::string &rows) {
+    put("poses.csv", rows);
+    return complaint({"collide", "--world", "cell.json", "--poses", "poses.csv"});
+  };
+  const std::string head = "frame,body,x,y,z,qw,qx,qy,qz\n";
+  CHECK(has(fault_of_poses("frame,body\n"), "poses.csv:1: the first line is neither"));
+  CHECK(has(fault_of_poses(head), "poses.csv: no row follows the first line"));
+  CHECK(has(fault_of_poses(head + "0,ball,0,0,0\n"), "poses.csv:2: 5 fields, but the first line names 9"));
+  CHECK(
+      has(fault_of_poses(head + "0,bal,0,0,0,1,0,0,0\n"), "poses.csv:2: no body is named 'bal'; did you mean 'ball'?"));
+  CHECK(has(fault_of_poses(head + "0,ball,0,x,0,1,0,0,0\n"), "poses.csv:2: y is 'x', not a number"));
+  CHECK(has(fault_of_poses(head + "0,ball,0,nan,0,1,0,0,0\n"), "poses.csv:2: a number of the pose is not finite"));
+  CHECK(has(fault_of_poses(head + "0,ball,0,0,0,1,0,0,0\n0,ball,0,0,0,1,0,0,0\n"),
+            "poses.csv:3: frame '0' has a pose of 'ball'"));
+  CHECK(has(fault_of_poses(head + "0,ball,0,0,0,1,0,0,0\n1,ball,0,0,0,1,0,0,0\n0,left,0,0,0,1,0,0,0\n"),
+            "poses.csv:4: frame '0' begins a second time"));
+}
+
+TEST_CASE("options of two sets and of many bodies do not mix in silence") {
+  put_files();
+  world(three);
+  CHECK(has(complaint({"collide", "cube.ply", "slab.ply", "ball.csv", "--translate-b", "1,0,0"}),
+            "--translate-b: it is for two sets"));
+  CHECK(has(complaint({"collide", "--world", "cell.json", "--first", "x.csv"}), "--first: it is for two sets"));
+  CHECK(has(complaint({"collide", "cube.ply", "slab.ply", "--poses", "p.csv"}), "--poses: it is for many bodies"));
+  CHECK(has(complaint({"collide", "cube.ply", "--world", "cell.json"}), "cube.ply: --world lists all bodies"));
+  CHECK(has(complaint({"collide", "--world", "cell.json", "--only", "left"}), "two names with a comma"));
+  CHECK(has(complaint({"collide", "--world", "cell.json", "--mode", "soft"}), "--mode 'soft': unknown"));
+  CHECK(has(complaint({"collide", "--world", "cell.json", "--any", "--pairs", "out"}), "--any stops"));
+  CHECK_FALSE(fs::exists(at("out/pairs.csv")));
+}
