@@ -48,6 +48,7 @@ void add_bodies(CLI::App &c, arguments &to) {
                "Move the bodies frame by frame: rows of frame,body and a 3x4 matrix m00,..,m23, or x,y,z,qw,qx,qy,qz")
       ->type_name("poses.csv");
   c.add_option("--allow", to.allowed, "A pair of bodies that may touch, such as arm,tool or floor,*; may be repeated")
+      ->allow_extra_args(false)
       ->type_name("NAME,NAME");
   c.add_option("--only", to.only, "Ask about this pair of bodies alone, such as arm,*")->type_name("NAME,NAME");
   c.add_flag("--fail-on-touch", to.request.fail_on_touch, "Exit with 1 where something touches")
