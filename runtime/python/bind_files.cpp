@@ -7,7 +7,7 @@ namespace meetc::python {
 
 namespace {
 
-// What a file holds, as arrays that own the reader's memory.
+// The elements of a file, as arrays that own the reader's memory.
 py::dict read_file(const std::filesystem::path &path, const std::string &kind, int threads) {
   const catalogue &all = cga::catalogue();
   std::vector<const kind_info *> kinds;

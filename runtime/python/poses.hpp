@@ -23,8 +23,8 @@ struct posed_query {
   collide_options options; // any or count
 };
 
-// For each pose of 12 numbers the number of pairs; 0 or 1 for answer_kind::any. A pose in which the boxes are proved apart costs
-// next to nothing. Threads share the poses, unless there are fewer of these.
+// For each pose of 12 numbers the number of pairs; 0 or 1 for answer_kind::any. A pose in which the boxes are proved apart
+// costs next to nothing. Threads share the poses, unless there are fewer of these.
 std::vector<std::int64_t> over_poses(const posed_query &q, std::span<const double> poses);
 
 } // namespace meetc::python

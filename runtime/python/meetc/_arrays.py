@@ -76,8 +76,8 @@ def round_once(array: NDArray[Any], name: str) -> tuple[Floats, Rounded]:
 
 
 def numbers(value: ArrayLike, name: str, widths: tuple[int, ...]) -> tuple[Floats, Rounded]:
-    """Rows of float32. Of several widths the last is that of a row, and the others are those of arrays of more dimensions:
-    (3, 3, 9) takes (n, 3, 3) and (n, 9)."""
+    """Rows of float32. The last of the widths is that of a row; those before it are the shape of a
+    row of more dimensions: (3, 3, 9) takes (n, 3, 3) and (n, 9)."""
     array = as_array(value, name)
     wide = widths[-1]
     shapes = [(wide,)] + ([widths[:-1]] if len(widths) > 1 else [])

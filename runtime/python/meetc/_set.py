@@ -4,83 +4,15 @@ from __future__ import annotations
 
 import html
 import os
-from typing import Any, NamedTuple, cast
+from typing import Any, cast
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from meetc import _arrays, _native
 from meetc._errors import InputError, MeetWarning
+from meetc._source import WIDTHS, Source, is_mesh, mesh_of
 from meetc._types import Doubles, Floats, HasFaces, HasPoints, Kind, Meshlike, Rounded
-
-_WIDTHS: dict[str, tuple[int, ...]] = {
-    "triangle": (3, 3, 9),
-    "segment": (2, 3, 6),
-    "point": (3,),
-    "sphere": (4,),
-    "ball": (4,),
-    "box": (2, 3, 6),
-}
-
-
-class _Arrays(NamedTuple):
-    """What a set is prepared from: arrays of the caller, or copies of them in the types that are needed."""
-
-    kind: Kind
-    numbers: Floats  # rows of numbers: of elements, or of vertices where there is an index
-    corners: NDArray[Any] | None
-    owner: NDArray[np.uint32] | None  # the item of each element
-    items: int
-    parts: tuple[tuple[str, tuple[int, ...]], ...]  # the argument of each part of a row, and the shape of its row
-    rounded: Rounded
-    notes: tuple[str, ...]
-
-    def native_kind(self) -> str:
-        return "sphere" if self.kind == "ball" else self.kind
-
-    def place(self, element: int, field: int) -> tuple[str, int, float]:
-        """The name of a number of an element, as vertices[7, 2], its row and its value."""
-        row = element
-        if self.corners is not None:
-            row, field = int(self.corners[element, field // 3]), field % 3
-        value = float(self.numbers[row, field])
-        for name, shape in self.parts:
-            size = int(np.prod(shape, dtype=int))
-            if field < size:
-                inside = tuple(int(i) for i in np.unravel_index(field, shape)) if shape else ()
-                return _arrays.at_row(name, (row, *inside)), row, value
-            field -= size
-        raise AssertionError("a field beyond the row")
-
-    def explain(self, fault: _native.Fault) -> InputError:
-        """The line that names array, row and value."""
-        noun = "face" if self.corners is not None and self.kind == "triangle" else self.kind
-        if fault.kind in ("value", "moved"):
-            place, row, value = self.place(fault.element, fault.field)
-            text = f"{place} is {value}"
-            if fault.kind == "moved":
-                text += f", and {fault.value} under the pose"
-            if self.corners is not None:
-                text += f" (a corner of {noun} {fault.element})"
-            return InputError(
-                text, array=place[: place.index("[")], row=row, element=fault.element, value=value
-            )
-        if fault.kind == "rule":
-            row_of, values, at = self.numbers[fault.element], [], 0
-            for name, shape in self.parts:
-                size = int(np.prod(shape, dtype=int))
-                found = row_of[at : at + size].reshape(shape).tolist()
-                values.append(f"{name}[{fault.element}] is {found}")
-                at += size
-            return InputError(
-                f"{', '.join(values)}: a {noun} needs {fault.rule}",
-                array=self.parts[-1][0],
-                row=fault.element,
-                element=fault.element,
-                value=row_of.tolist(),
-            )
-        return InputError(str(fault), element=fault.element)
-
 
 class Set:
     """Elements of one kind, ready to collide: the triangles of a mesh, segments, points, spheres or boxes.
@@ -102,7 +34,7 @@ class Set:
 
     __slots__ = ("_source", "_ready", "_pose", "_unposed", "name")
 
-    _source: _Arrays
+    _source: Source
     _ready: _native.Prepared
     _pose: Doubles | None
     _unposed: Set | None
@@ -118,27 +50,27 @@ class Set:
         threads: int = 0,
         name: str | None = None,
     ) -> None:
-        if kind not in _WIDTHS:
-            raise InputError(f"kind: {kind!r} is unknown; known: {', '.join(_WIDTHS)}", value=kind)
-        if faces is None and _is_mesh(vertices):
+        if kind not in WIDTHS:
+            raise InputError(f"kind: {kind!r} is unknown; known: {', '.join(WIDTHS)}", value=kind)
+        if faces is None and is_mesh(vertices):
             if kind != "triangle":
                 raise InputError(f"kind: an object with faces is of triangles, not of kind {kind!r}", value=kind)
-            vertices, faces = _mesh_of(vertices)
+            vertices, faces = mesh_of(vertices)
         if faces is None:
-            rows, rounded = _arrays.numbers(cast(ArrayLike, vertices), "vertices", _WIDTHS[kind])
+            rows, rounded = _arrays.numbers(cast(ArrayLike, vertices), "vertices", WIDTHS[kind])
             shape = np.shape(cast(Any, vertices))[1:]
-            arrays = _Arrays(kind, rows, None, None, len(rows), (("vertices", shape),), rounded, ())
+            arrays = Source(kind, rows, None, None, len(rows), (("vertices", shape),), rounded, ())
         else:
             if kind not in ("triangle", "segment"):
                 raise TypeError(f"faces: elements of kind {kind!r} have none")
             rows, rounded = _arrays.numbers(cast(ArrayLike, vertices), "vertices", (3,))
             wide = 3 if kind == "triangle" else 2
             index = _arrays.indices(faces, "faces", wide, len(rows), "vertices")
-            arrays = _Arrays(kind, rows, index, None, len(index), (("vertices", (3,)),), rounded, ())
+            arrays = Source(kind, rows, index, None, len(index), (("vertices", (3,)),), rounded, ())
         self._prepare(arrays, pose, threads, name)
         _arrays.tell_rounding(rounded, "vertices", rows.size)
 
-    def _prepare(self, arrays: _Arrays, pose: ArrayLike | None, threads: int, name: str | None) -> None:
+    def _prepare(self, arrays: Source, pose: ArrayLike | None, threads: int, name: str | None) -> None:
         threads = _arrays.require_threads(threads)
         self._source, self.name, self._unposed = arrays, name, None
         self._pose = None if pose is None else _arrays.poses(pose, "pose", False)[0]
@@ -152,7 +84,7 @@ class Set:
             raise InputError(f"pose: {error}", array="pose") from None
 
     @classmethod
-    def _made(cls, arrays: _Arrays, pose: ArrayLike | None, threads: int, name: str | None = None) -> Set:
+    def _made(cls, arrays: Source, pose: ArrayLike | None, threads: int, name: str | None = None) -> Set:
         made = cls.__new__(cls)
         made._prepare(arrays, pose, threads, name)
         return made
@@ -162,7 +94,7 @@ class Set:
         """Triangles by themselves: (m, 3, 3) or (m, 9)."""
         rows, rounded = _arrays.numbers(corners, "corners", (3, 3, 9))
         parts = (("corners", np.shape(cast(Any, corners))[1:]),)
-        made = Set._made(_Arrays("triangle", rows, None, None, len(rows), parts, rounded, ()), pose, threads)
+        made = Set._made(Source("triangle", rows, None, None, len(rows), parts, rounded, ()), pose, threads)
         _arrays.tell_rounding(rounded, "corners", rows.size)
         return made
 
@@ -216,7 +148,7 @@ class Set:
     def points(points: ArrayLike, *, pose: ArrayLike | None = None, threads: int = 0) -> Set:
         """Points: (n, 3)."""
         rows, rounded = _arrays.numbers(points, "points", (3,))
-        made = Set._made(_Arrays("point", rows, None, None, len(rows), (("points", (3,)),), rounded, ()), pose, threads)
+        made = Set._made(Source("point", rows, None, None, len(rows), (("points", (3,)),), rounded, ()), pose, threads)
         _arrays.tell_rounding(rounded, "points", rows.size)
         return made
 
@@ -254,8 +186,8 @@ class Set:
         holds several; "sphere" reads spheres as surfaces, and without it they are balls.
         """
         threads = _arrays.require_threads(threads)
-        if kind is not None and kind not in _WIDTHS:
-            raise InputError(f"kind: {kind!r} is unknown; known: {', '.join(_WIDTHS)}", value=kind)
+        if kind is not None and kind not in WIDTHS:
+            raise InputError(f"kind: {kind!r} is unknown; known: {', '.join(WIDTHS)}", value=kind)
         os.stat(path)  # which has Python's own exceptions
         name = os.fspath(path)
         try:
@@ -267,7 +199,7 @@ class Set:
         rounded = Rounded(found["moved"], found["largest"])
         own: Kind = "ball" if found["kind"] == "sphere" and kind != "sphere" else found["kind"]
         rows = found["numbers"]
-        arrays = _Arrays(
+        arrays = Source(
             own, rows, found["index"], found["owner"], found["items"], ((name, rows.shape[1:]),), rounded,
             tuple(found["notes"]),
         )
@@ -316,7 +248,7 @@ class Set:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What a reader says of its file."""
+        """The notes of the reader on its file."""
         return self._source.notes
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -340,7 +272,7 @@ class Set:
 
 
 def _restored(arrays: tuple[Any, ...], pose: Doubles | None, name: str | None) -> Set:
-    return Set._made(_Arrays(*arrays), pose, 0, name)
+    return Set._made(Source(*arrays), pose, 0, name)
 
 
 def _count(number: int, kind: str) -> str:
@@ -365,7 +297,7 @@ def _joined(
         raise InputError(f"{second[0]}: it has {len(b)} rows, and {first[0]} has {len(a)}", array=second[0])
     ray = second[0] == "directions"
     rounded = before if ray else _arrays.together(rounded_a, rounded_b)
-    arrays = _Arrays(
+    arrays = Source(
         kind, np.hstack([a, b]), None, None, len(a), ((first[0], first[2]), (second[0], second[2])), rounded, ()
     )
     made = Set._made(arrays, pose, threads)
@@ -373,26 +305,11 @@ def _joined(
     return made
 
 
-def _is_mesh(value: object) -> bool:
-    return hasattr(value, "faces") and (hasattr(value, "vertices") or hasattr(value, "points"))
-
-
-def _mesh_of(mesh: Any) -> tuple[Any, NDArray[Any]]:
-    """Vertices and faces of an object that has them."""
-    vertices = mesh.vertices if hasattr(mesh, "vertices") else mesh.points
-    faces = _arrays.as_array(mesh.faces, "faces")
-    if faces.ndim != 1:
-        return vertices, faces
-    if len(faces) % 4 or (faces[::4] != 3).any():  # as VTK has them: the number of corners, then the corners
-        raise InputError("faces: not all have three corners; give the mesh's triangulate()", array="faces")
-    return vertices, faces.reshape(-1, 4)[:, 1:]
-
-
 def as_set(value: object, name: str, threads: int = 0) -> Set:
     """A set, a mesh or (vertices, faces) as a set."""
     if isinstance(value, Set):
         return value
-    if _is_mesh(value):
+    if is_mesh(value):
         return Set(cast(Any, value), threads=threads)
     if isinstance(value, tuple) and len(value) == 2:
         return Set(value[0], value[1], threads=threads)

@@ -42,7 +42,7 @@ Meshlike = Union["Set", HasFaces, HasPoints, "tuple[ArrayLike, ArrayLike]"]
 
 
 class Rounded(NamedTuple):
-    """What rounding to float32 has moved."""
+    """The moves of numbers by rounding to float32."""
 
     numbers: int  #: how many numbers
     largest: float  #: how far at most
