@@ -2,7 +2,7 @@
 
 It writes nothing into the source tree. Settings, as in `python3 -m build --wheel -C build-dir=build-python`:
 build-dir         the folder to compile in, which is kept; without it a temporary one
-instruction-sets  those of x86-64 that are compiled beside the baseline; by default avx2;avx512
+instruction-sets  those of x86-64 that are compiled beside the baseline; by default avx2;avx512, or what the folder has
 """
 
 from __future__ import annotations
@@ -50,15 +50,13 @@ def _compile(folder: Path, into: Path, settings: dict[str, str]) -> None:
         "CMAKE_BUILD_TYPE": "Release",
         "MEETC_BUILD_PYTHON": "ON",
         "MEETC_BUILD_GENERATOR": "OFF",
+        "MEETC_BUILD_TESTS": "OFF",
         "MEETC_CUDA": "OFF",
         "Python_EXECUTABLE": sys.executable,
         "pybind11_DIR": pybind11.get_cmake_dir(),
     }
-    sets = settings.get("instruction-sets", "" if "build-dir" in settings else "avx2;avx512")
-    if sets:
-        options["MEETC_INSTRUCTION_SETS"] = sets
-    if "build-dir" not in settings:
-        options["MEETC_BUILD_TESTS"] = "OFF"
+    if "instruction-sets" in settings:
+        options["MEETC_INSTRUCTION_SETS"] = settings["instruction-sets"]
     words = [f"-D{name}={value}" for name, value in options.items()]
     subprocess.run(["cmake", "-S", SOURCE, "-B", folder, *words], check=True)
     subprocess.run(["cmake", "--build", folder, "--target", "meetc_python", "--parallel", str(os.cpu_count())], check=True)

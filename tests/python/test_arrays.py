@@ -81,7 +81,11 @@ class Arrays(unittest.TestCase):
         v, f = sphere_mesh(10)
         pose = np.eye(4)
         pose[0, 3] = 0.25
-        sets = [Set(v, f, pose=pose, name="ball"), Set.spheres([[0, 0, 0]], [1], solid=False), Set.segments([[0, 0, 5]], [[0, 0, -5]])]
+        sets = [
+            Set(v, f, pose=pose, name="ball"),
+            Set.spheres([[0, 0, 0]], [1], solid=False),
+            Set.segments([[0, 0, 5]], [[0, 0, -5]]),
+        ]
         for a in sets:
             b = pickle.loads(pickle.dumps(a))
             self.assertEqual((repr(a), a.kind, len(a), a.rounded), (repr(b), b.kind, len(b), b.rounded))

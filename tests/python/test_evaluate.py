@@ -20,9 +20,11 @@ class Evaluate(unittest.TestCase):
 
     def test_formulas_name_their_numbers(self):
         found = meetc.formula(" norm2( meet(sphere,line) ) ")
-        self.assertEqual(found.operands, (("sphere", ("x", "y", "z", "r")), ("line", ("x0", "y0", "z0", "x1", "y1", "z1"))))
+        numbers = ("x", "y", "z", "r"), ("x0", "y0", "z0", "x1", "y1", "z1")
+        self.assertEqual(found.operands, (("sphere", numbers[0]), ("line", numbers[1])))
         self.assertIn(found, meetc.formulas())
-        self.assertEqual(len(meetc.formula("meet(sphere, sphere)").values), len(meetc.evaluate("meet(sphere,sphere)", [0, 0, 0, 1], [1, 0, 0, 1])))
+        circle = meetc.evaluate("meet(sphere,sphere)", [0, 0, 0, 1], [1, 0, 0, 1])
+        self.assertEqual(tuple(circle), meetc.formula("meet(sphere, sphere)").values)
 
     def test_columns_of_any_stride_and_rows_are_the_same(self):
         rng = np.random.default_rng(3)

@@ -14,11 +14,13 @@ from shapes import SPIKE, SPIKE_FACES, SQUARE, SQUARE_FACES
 
 class Objects(unittest.TestCase):
     def test_what_looks_like_a_mesh_is_one(self):
-        wanted = [[0, 0], [1, 0]]
-        spike = Set(SPIKE, SPIKE_FACES)
         class Tracked(np.ndarray):  # as trimesh has its arrays
             pass
-        trimesh = SimpleNamespace(vertices=SQUARE.astype(np.float64).view(Tracked), faces=SQUARE_FACES.astype(np.int64).view(Tracked))
+
+        wanted = [[0, 0], [1, 0]]
+        spike = Set(SPIKE, SPIKE_FACES)
+        vertices, faces = SQUARE.astype(np.float64).view(Tracked), SQUARE_FACES.astype(np.int64).view(Tracked)
+        trimesh = SimpleNamespace(vertices=vertices, faces=faces)
         flat = np.hstack([np.full((2, 1), 3), SQUARE_FACES]).ravel()
         pyvista = SimpleNamespace(points=SQUARE, faces=flat)
         regular = SimpleNamespace(points=SQUARE, faces=SQUARE_FACES)

@@ -28,7 +28,7 @@ class Package(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             wrong = os.path.join(folder, "wrong.py")
             with open(wrong, "w", encoding="ascii") as file:
-                file.write('import meetc\nmeetc.pairs(1, 2, precision="fp16")\nx: str = meetc.count(meetc.Set([]), meetc.Set([]))\n')
+                file.write('import meetc\nmeetc.pairs(1, 2, precision="fp16")\nx: str = meetc.count(3, 4)\n')
             environment = dict(os.environ, MYPYPATH=os.path.dirname(PACKAGE))
             command = ("mypy", "--strict", f"--cache-dir={folder}/cache")
             code, text = run(*command, "-p", "meetc", env=environment)
@@ -37,7 +37,7 @@ class Package(unittest.TestCase):
                 code, text = run(*command, example, env=environment)
                 self.assertEqual(code, 0, text)
             code, text = run(*command, wrong, env=environment)
-            self.assertEqual((code, len(re.findall(": error: ", text))), (1, 4), text)
+            self.assertEqual((code, len(re.findall(": error: ", text))), (1, 6), text)
 
     def test_the_page_shows_the_examples_and_what_they_print(self):
         with open(os.path.join(SOURCE, "docs/python.md"), encoding="utf-8") as file:

@@ -37,7 +37,7 @@ class Queries(unittest.TestCase):
         self.assertTrue(np.array_equal(count_a, np.bincount(wanted[:, 0], minlength=300)))
         self.assertTrue(np.array_equal(count_b, np.bincount(wanted[:, 1], minlength=200)))
         back = meetc.pairs(b, a)
-        self.assertTrue(np.array_equal(np.sort(back[:, 1] * 1000 + back[:, 0]), np.sort(wanted[:, 0] * 1000 + wanted[:, 1])))
+        self.assertTrue(np.array_equal(back[np.lexsort((back[:, 0], back[:, 1]))][:, ::-1], wanted))
         for plain in ("fp32", "fp64", "fp64x2"):
             self.assertEqual(meetc.pairs(a, b, precision=plain).shape[1], 2)
 
@@ -78,10 +78,12 @@ class Queries(unittest.TestCase):
         layers = np.vstack([SQUARE + np.float32([0, 0, z]) for z in (0, 3, 1)])
         faces = np.vstack([SQUARE_FACES + 4 * i for i in range(3)])
         mesh = Set(layers, faces)
-        start, end = [[0.75, 0.25, 5], [0.75, 0.25, -1], [2, 2, 5], [0.5, 0.5, 2]], [[0.75, 0.25, -5], [0.75, 0.25, 9], [2, 2, 0], [0.5, 0.5, 0]]
+        start = [[0.75, 0.25, 5], [0.75, 0.25, -1], [2, 2, 5], [0.5, 0.5, 2]]
+        end = [[0.75, 0.25, -5], [0.75, 0.25, 9], [2, 2, 0], [0.5, 0.5, 0]]
         found = meetc.first(Set.segments(start, end), mesh)
         self.assertEqual((found.tolist(), found.dtype), ([2, 0, -1, 4], np.int32))
-        rays = Set.rays([[0.75, 0.25, 5], [0.75, 0.25, -1], [0.75, 0.25, 5]], [[0, 0, -1e-30], [0, 0, 1e30], [0, 0, 1]], through=mesh)
+        origins, directions = [start[0], start[1], start[0]], [[0, 0, -1e-30], [0, 0, 1e30], [0, 0, 1]]
+        rays = Set.rays(origins, directions, through=mesh)
         self.assertEqual(meetc.first(rays, mesh).tolist(), [2, 0, -1])
         short = Set.rays([[0.75, 0.25, 5]], [[0, 0, -1]], length=1.5)
         self.assertEqual(meetc.first(short, mesh).tolist(), [-1])
