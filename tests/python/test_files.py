@@ -47,6 +47,7 @@ class Files(unittest.TestCase):
     def test_kinds(self):
         path = self.file("balls.csv", "x,y,z,r\n0,0,0,1\n3,0,0,1\n")
         self.assertEqual(Set.read(path).kind, "ball")
+        self.assertEqual(len(Set.read(os.fsencode(path), threads=10**12)), 2)
         self.assertEqual(Set.read(path, "sphere").kind, "sphere")
         points = self.file("points.obj", "v 0 0 0\nv 1 1 1\np 1\np 2\n")
         self.assertEqual((Set.read(points).kind, len(Set.read(points))), ("point", 2))

@@ -175,4 +175,4 @@ def require_threads(threads: int) -> int:
         raise TypeError(f"threads: a whole number is needed, not {type(threads).__name__}")
     if threads < 0:
         raise InputError(f"threads: {threads} is negative; 0 means all cores", value=int(threads))
-    return int(threads)
+    return min(int(threads), 2**20)  # the library takes fewer

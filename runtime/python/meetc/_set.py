@@ -32,7 +32,7 @@ class Set:
     may collide it at once.
     """
 
-    __slots__ = ("_source", "_ready", "_pose", "_unposed", "name")
+    __slots__ = ("__weakref__", "_pose", "_ready", "_source", "_unposed", "name")
 
     _source: Source
     _ready: _native.Prepared
@@ -189,9 +189,9 @@ class Set:
         if kind is not None and kind not in WIDTHS:
             raise InputError(f"kind: {kind!r} is unknown; known: {', '.join(WIDTHS)}", value=kind)
         os.stat(path)  # which has Python's own exceptions
-        name = os.fspath(path)
+        name = os.fsdecode(path)
         try:
-            found = _native.read(name, "sphere" if kind == "ball" else kind or "", threads)
+            found = _native.read(os.fsencode(path), "sphere" if kind == "ball" else kind or "", threads)
         except _native.FileFault as fault:
             raise InputError(str(fault), array=name) from None
         if not found["items"]:

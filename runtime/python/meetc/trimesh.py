@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable, Iterable
 from typing import Any, Literal, NoReturn, overload
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from meetc import _queries
@@ -19,6 +20,8 @@ from meetc._types import Meshlike
 __all__ = ["CollisionManager", "ContactData"]
 
 Data = list["ContactData"]
+_Named = list[tuple[Any, Set]]
+_Pair = tuple[tuple[Any, Any], Set, Set]
 Names = set[Any]
 Pairs = set[tuple[Any, Any]]
 
@@ -101,7 +104,7 @@ class CollisionManager:
         other = _triangles(mesh)
         if transform is not None:
             other = other.at(transform)
-        todo = (((name, "__external"), own, other) for name, own in self._sets.items())
+        todo = _near(list(self._sets.items()), [("__external", other)])
         return _answer(todo, lambda names: names[0], return_names, return_data)
 
     @overload
@@ -122,8 +125,8 @@ class CollisionManager:
     ) -> tuple[bool, Pairs, Data]: ...
     def in_collision_internal(self, return_names: bool = False, return_data: bool = False) -> Any:
         """Whether any two of the manager's meshes touch, and the pairs of their names, each sorted."""
-        all_ = list(self._sets.items())
-        todo = (((a, b), set_a, set_b) for i, (a, set_a) in enumerate(all_) for b, set_b in all_[i + 1 :])
+        all_: _Named = list(self._sets.items())
+        todo = _near(all_, all_)
         return _answer(todo, _sorted, return_names, return_data)
 
     @overload
@@ -146,9 +149,7 @@ class CollisionManager:
         self, other_manager: CollisionManager, return_names: bool = False, return_data: bool = False
     ) -> Any:
         """Whether a mesh of this manager touches one of another, and the pairs (name here, name there)."""
-        todo = (
-            ((a, b), set_a, set_b) for a, set_a in self._sets.items() for b, set_b in other_manager._sets.items()
-        )
+        todo = _near(list(self._sets.items()), list(other_manager._sets.items()))
         return _answer(todo, lambda names: names, return_names, return_data)
 
     def min_distance_single(
@@ -189,8 +190,19 @@ def _sorted(names: tuple[Any, Any]) -> tuple[Any, Any]:
     return a, b
 
 
+def _near(a: _Named, b: _Named) -> Iterable[_Pair]:
+    """The pairs of sets whose boxes touch; of one list with itself, each once."""
+    if not a or not b:
+        return
+    boxes = Set.boxes(*np.stack([s.bounds for _, s in a], axis=1))
+    others = boxes if a is b else Set.boxes(*np.stack([s.bounds for _, s in b], axis=1))
+    for i, j in _queries.pairs(boxes, others).tolist():
+        if a is not b or i < j:
+            yield (a[i][0], b[j][0]), a[i][1], b[j][1]
+
+
 def _answer(
-    todo: Iterable[tuple[tuple[Any, Any], Set, Set]], key: Callable[[tuple[Any, Any]], Any], with_names: bool, with_data: bool
+    todo: Iterable[_Pair], key: Callable[[tuple[Any, Any]], Any], with_names: bool, with_data: bool
 ) -> Any:
     """trimesh's results: a bool, or a tuple of it with the names, the data, or both."""
     hit, names, data = False, set(), []
