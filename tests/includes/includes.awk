@@ -29,7 +29,7 @@ BEGIN {
         " kernel/meetc/simd kernel/meetc/volume kernel/meetc/cuda kernel/meetc/every_pair" \
         " core/threads core/views core/hierarchy core/sets core/answers core/traversal core/cascade core/query core/world" \
         " core/device/memory core/device/set core/device/walk core/device/answers core/device/query core/device" \
-        " core/device/every_pair io/files io/text io/elements io/polygon io/mesh io picture bodies" \
+        " core/device/every_pair io/files io/text io/elements io/polygon io/mesh io python picture bodies" \
         " app/input app/text app/query app/output app/inspect app/world app/commands bench/peers bench/baselines bench/truth" \
         " bench/harness bench/scenes bench/tables bench/tables/cpu bench/tables/gpu bench/tables/paper bench/tables/trade" \
         " bench/tables/command main", order_runtime, " ")
@@ -42,13 +42,14 @@ BEGIN {
   for (j = 1; order_runtime[j] != "bench/baselines"; ++j)
     if (order_runtime[j] !~ /^kernel/)
       delete may["runtime/bench/truth", "runtime/" order_runtime[j]]
-  # Only the program and its benchmarks know shapes and predicates. Generated code includes the kernel headers and its own.
+  # Only the program, the module for Python and the benchmarks know shapes and predicates. Generated code includes the kernel
+  # headers and its own.
   rooms["generated"] = 1
   may["generated", "generated"] = 1
   for (room in rooms) {
     if (room ~ /^runtime\/kernel/)
       may["generated", room] = 1
-    if (room ~ /^runtime\/(app|bench\/tables|bench\/truth|main)/)
+    if (room ~ /^runtime\/(app|python|bench\/tables|bench\/truth|main)/)
       may[room, "generated"] = 1
   }
 

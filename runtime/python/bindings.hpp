@@ -1,0 +1,24 @@
+// python/bindings.hpp: the parts of the module meetc._native. meetc/_native.pyi has their signatures.
+#ifndef MEETC_PYTHON_BINDINGS_HPP
+#define MEETC_PYTHON_BINDINGS_HPP
+
+#include "meetc/table/table.hpp"
+
+#include <pybind11/pybind11.h>
+#include <string_view>
+
+namespace meetc::python {
+
+void bind_sets(pybind11::module_ &module);
+void bind_queries(pybind11::module_ &module);
+void bind_evaluate(pybind11::module_ &module);
+void bind_files(pybind11::module_ &module);
+
+// Throw std::invalid_argument for a name that the shipped catalogue does not have.
+const kind_info &kind_named(std::string_view name);
+const predicate_info &predicate_named(std::string_view name);
+rung rung_named(std::string_view name);
+
+} // namespace meetc::python
+
+#endif

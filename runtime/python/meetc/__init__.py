@@ -1,0 +1,56 @@
+"""Which elements of two sets touch, with proved answers.
+
+    import meetc
+    a = meetc.Set(vertices, faces)       # or Set(mesh), Set.segments, Set.spheres, Set.read, ...
+    meetc.pairs(a, b)                    # (k, 2) int32, sorted
+    meetc.touches(a, b.at(pose))         # bool
+
+A set is a meetc.Set, which is prepared once and collided often, or a mesh: an object with vertices and faces (trimesh),
+one with points and faces (PyVista), or a tuple (vertices, faces), which is prepared for this call.
+
+    pairs, count, touches, hits, counts   what touches, as a list, a number, a bool, flags or numbers for each element
+    first                                 the triangle that a segment or a ray meets first
+    over_poses                            one set against another one in many poses
+    evaluate, formula, formulas           the values of a formula of the geometric algebra
+    meetc.trimesh                         a CollisionManager with the signatures of trimesh's
+
+Answers are exact for the float32 numbers of a set. Bad input raises InputError, a ValueError whose one line names the
+array, the row and the value; TypeError for what is no array of numbers; IndexError for rows of evaluate() that are not
+there. Ctrl-C ends a query. Queries release the interpreter's lock, and a set may be used by several threads.
+"""
+
+from meetc._errors import InputError, MeetError, MeetWarning, RoundedWarning
+from meetc._evaluate import evaluate, formula, formulas
+from meetc._native import version as __version__
+from meetc._queries import count, counts, first, hits, over_poses, pairs, touches
+from meetc._set import Set
+from meetc._types import Formula, Kind, Meshlike, Precision, Rounded
+
+__all__ = [
+    "Formula",
+    "InputError",
+    "Kind",
+    "MeetError",
+    "MeetWarning",
+    "Meshlike",
+    "Precision",
+    "Rounded",
+    "RoundedWarning",
+    "Set",
+    "__version__",
+    "count",
+    "counts",
+    "evaluate",
+    "first",
+    "formula",
+    "formulas",
+    "hits",
+    "over_poses",
+    "pairs",
+    "touches",
+]
+
+for _public in (InputError, MeetError, MeetWarning, RoundedWarning, Formula, Rounded, Set, evaluate, formula, formulas,
+                count, counts, first, hits, over_poses, pairs, touches):
+    _public.__module__ = __name__
+del _public

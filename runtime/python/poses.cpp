@@ -1,0 +1,76 @@
+#include "meet/python/poses.hpp"
+
+#include "meet/core/sets/element_set.hpp"
+#include "meet/core/threads/threads.hpp"
+#include "meet/io/elements/transform.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <string>
+
+namespace meetc::python {
+
+namespace {
+
+bool has_length(const kind_info &kind) {
+  return std::any_of(kind.roles, kind.roles + kind.fields, [](role r) { return r == role::length; });
+}
+
+std::int64_t in_pose(const posed_query &q, const pose &at, int threads, collide_options options) {
+  float lo[3], hi[3];
+  q.still.bounds(lo, hi);
+  const element_set &unposed = q.moved_unposed.set();
+  if (proved_apart(at, unposed.around.lo, unposed.around.hi, static_cast<double>(unposed.longest), lo, hi))
+    return 0;
+  options.threads = threads;
+  const prepared moved = prepare(q.moved, *(q.still_first ? q.predicate.b : q.predicate.a), at, threads, &q.still);
+  const prepared &a = q.still_first ? q.still : moved, &b = q.still_first ? moved : q.still;
+  return static_cast<std::int64_t>(collide(a, b, q.predicate, q.precision, options).count);
+}
+
+} // namespace
+
+pose pose_of(std::span<const double> matrix, const kind_info &kind) {
+  std::array<double, 12> numbers;
+  std::copy_n(matrix.begin(), 12, numbers.begin());
+  pose out;
+  std::copy_n(matrix.begin(), 12, out.m);
+  if (!has_length(kind))
+    return out;
+  const std::optional<double> scale = io::similarity_scale(numbers);
+  if (!scale)
+    throw std::invalid_argument("the pose is no similarity, and a " + std::string(kind.name) +
+                                " keeps its shape under these alone");
+  out.length_scale = *scale;
+  return out;
+}
+
+std::vector<std::int64_t> over_poses(const posed_query &q, std::span<const double> poses) {
+  using clock = std::chrono::steady_clock;
+  const kind_info &kind = *(q.still_first ? q.predicate.b : q.predicate.a);
+  std::vector<pose> at;
+  for (std::size_t i = 0; i < poses.size(); i += 12)
+    at.push_back(pose_of(poses.subspan(i, 12), kind));
+  const int threads = thread_count(q.options.threads);
+  const int each = at.size() < static_cast<std::size_t>(threads) ? threads : 1;
+  std::vector<std::int64_t> out(at.size());
+  clock::time_point next = clock::now();
+  for_chunks(each == 1 ? threads : 1, at.size(), 1, [&](int worker, std::size_t i, std::size_t) {
+    collide_options options = q.options;
+    if (worker != 0)
+      options.progress = {}; // it is for the calling thread
+    else if (options.progress && clock::now() >= next) {
+      options.progress(0);
+      next = clock::now() + std::chrono::milliseconds(100);
+    }
+    try {
+      out[i] = in_pose(q, at[i], each, options);
+    } catch (const input_error &e) {
+      throw input_error(e.where, kind, "pose " + std::to_string(i) + ": ");
+    }
+  });
+  return out;
+}
+
+} // namespace meetc::python

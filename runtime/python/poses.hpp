@@ -1,0 +1,32 @@
+// python/poses.hpp: one set against another one in many poses.
+#ifndef MEETC_PYTHON_POSES_HPP
+#define MEETC_PYTHON_POSES_HPP
+
+#include "meet/core/query/collide.hpp"
+
+#include <span>
+#include <vector>
+
+namespace meetc::python {
+
+// The pose of twelve numbers, row by row, for this kind. Throws std::invalid_argument where the kind has a length and the
+// matrix is no similarity.
+pose pose_of(std::span<const double> matrix, const kind_info &kind);
+
+struct posed_query {
+  const prepared &still;
+  view moved;                    // as the caller has it
+  const prepared &moved_unposed; // the same, prepared without a pose: its box is enough for most poses
+  const predicate_info &predicate;
+  bool still_first; // whether the set that does not move is the predicate's first
+  rung precision;
+  collide_options options; // any or count
+};
+
+// For each pose of 12 numbers the number of pairs; 0 or 1 for answer_kind::any. A pose in which the boxes are proved apart
+// costs next to nothing. Threads share the poses, unless there are fewer of these.
+std::vector<std::int64_t> over_poses(const posed_query &q, std::span<const double> poses);
+
+} // namespace meetc::python
+
+#endif

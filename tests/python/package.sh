@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# package.sh BUILD OTHER PYTHON: compiles the package for Python in the folder BUILD, and runs its tests. OTHER is a build of
+# the program `meet`: its instruction sets are taken, and its answers are compared.
+set -euo pipefail
+build=$1 other=$2 python=$3
+source=$(cd "$(dirname "$0")/../.." && pwd)
+sets=$(sed -n 's/^MEETC_INSTRUCTION_SETS:[A-Z]*=//p' "$other/CMakeCache.txt")
+launcher=()
+! command -v ccache >/dev/null || launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+mkdir -p "$build"
+cmake -S "$source" -B "$build" -G Ninja "${launcher[@]}" -DCMAKE_BUILD_TYPE=Release -DMEETC_WERROR=ON -DMEETC_CUDA=OFF \
+  -DMEETC_BUILD_GENERATOR=OFF -DMEETC_BUILD_TESTS=OFF -DMEETC_BUILD_PYTHON=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON \
+  "-DMEETC_INSTRUCTION_SETS=$sets" "-DPython_EXECUTABLE=$python" "-DMEETC_MEET=$other/runtime/app/meet" \
+  >"$build/configured" 2>&1 || {
+  cat "$build/configured"
+  exit 1
+}
+cmake --build "$build" --target meetc_python
+ctest --test-dir "$build" -L '^python$' --output-on-failure --no-tests=error
