@@ -66,6 +66,7 @@ PYBIND11_MODULE(_native, m) {
   bind_queries(m);
   bind_evaluate(m);
   bind_files(m);
+  bind_world(m);
   m.def("predicates", &predicates);
   m.def("kinds", &kinds);
 }

@@ -188,8 +188,13 @@ world_answer world::ask(const world_options &options) const {
   const bool together = pairs.size() >= 2 * static_cast<std::size_t>(threads);
   std::mutex lock;
   chunk_counter counter(pairs.size(), 1);
-  auto body = [&](int) {
+  auto next = clock::now();
+  auto body = [&](int worker) {
     for (std::size_t i, end; counter.take(i, end);) {
+      if (worker == 0 && options.progress && clock::now() >= next) {
+        options.progress(counter.fraction());
+        next = clock::now() + std::chrono::milliseconds(100);
+      }
       result r = collide_pair(pairs[i], shapes, options, together ? 1 : threads);
       const std::scoped_lock hold(lock);
       out.candidates += r.candidates;

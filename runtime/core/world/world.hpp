@@ -10,6 +10,7 @@
 #include "meet/core/query/collide.hpp"
 #include "meet/core/query/fitting.hpp"
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -29,6 +30,7 @@ struct world_options {
   bool first = false; // stop at the first pair of bodies that touches: of all of them the least
   int threads = 0;    // 0: all cores
   float box = 0;      // as collide_options::box
+  std::function<void(double fraction)> progress = {}; // on the calling thread, about ten times a second
 };
 
 // Two bodies that touch, a < b. In the answer, a's elements (or items) come first.

