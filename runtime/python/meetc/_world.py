@@ -73,7 +73,7 @@ class World:
             self._place(name, at)
 
     def remove(self, name: str) -> None:
-        """Takes a body out. What was allowed for its name holds again for a later body of that name."""
+        """Takes a body out. Pairs that were allowed hold again for a later body of its name."""
         with self._lock:
             self._require(name)
             del self._sets[name], self._poses[name]
