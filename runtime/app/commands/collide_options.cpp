@@ -1,5 +1,6 @@
 // The options of `meet collide`.
 #include "meet/app/commands/collide_command.hpp"
+#include "meet/app/commands/self_command.hpp"
 #include "meet/app/input/failure.hpp"
 #include "meet/app/input/input_options.hpp"
 #include "meet/app/input/option_values.hpp"
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <utility>
 
 namespace meetc::app {
 
@@ -20,13 +22,57 @@ struct arguments {
   std::string precision = "certified", device = "auto", instruction_set = "auto";
   std::optional<std::string> tolerance, threads, devices;
   input_arguments a, b;
+  bool separate = false; // --no-merge
 };
+
+// Throws failure for an option that says nothing of a mesh with itself, or that says something of that alone.
+void check_self(const arguments &args) {
+  const collide_request &q = args.request;
+  if (!q.self && args.separate)
+    throw failure("--no-merge goes with --self, which finds where one mesh crosses itself");
+  if (!q.self && q.b.empty())
+    throw failure("B is required, the other set; to find where A crosses itself, write --self");
+  if (!q.self)
+    return;
+  if (!q.b.empty())
+    throw failure(fmt::format("--self is about A alone; leave out {}, or --self", q.b.string()));
+  const input_arguments &b = args.b;
+  const std::pair<const char *, bool> given[] = {
+      {"--format-b", b.format.has_value()}, {"--kind-b", b.kind.has_value()},
+      {"--scale-b", b.scale.has_value()},   {"--matrix-b", b.matrix.has_value()},
+      {"--motor-b", b.motor.has_value()},   {"--translate-b", b.translate.has_value()}};
+  for (const auto &[name, there] : given)
+    if (there)
+      throw failure(fmt::format("{}: with --self there is no B", name));
+  const std::pair<const char *, bool> other[] = {{"--predicate", q.predicate.has_value()},
+                                                 {"--mode", q.mode.has_value()},
+                                                 {"--tolerance", args.tolerance.has_value()},
+                                                 {"--any", q.any},
+                                                 {"--first", q.first.has_value()},
+                                                 {"--evaluate", !q.evaluate.empty()}};
+  for (const auto &[name, there] : other)
+    if (there)
+      throw failure(fmt::format("{} goes with two sets, and --self with one; leave one of them out", name));
+  if (args.precision != "certified")
+    throw failure(
+        fmt::format("--precision {}: the answer of --self is certified; leave the option out", args.precision));
+  if (args.device == "cuda")
+    throw failure("--device cuda: --self runs on the CPU; leave the option out");
+}
 
 void add_sets(CLI::App &c, arguments &to) {
   c.add_option("A", to.request.a, files_help)->required()->type_name("FILE");
   c.add_option("B", to.request.b, "The other set; the same file gives every ordered pair (i, j), i = j included")
-      ->required()
       ->type_name("FILE");
+  c.add_flag(
+       "--self", to.request.self,
+       "Find where the mesh A crosses itself, in place of B: the pairs of its faces that meet beyond their common "
+       "corners. Corners with equal coordinates are one")
+      ->disable_flag_override();
+  c.add_flag("--no-merge", to.separate,
+             "With --self: corners are one only if they are one vertex of the file, so that sheets that lie on each "
+             "other meet")
+      ->disable_flag_override();
 }
 
 void add_question(CLI::App &c, arguments &to) {
@@ -93,6 +139,8 @@ void add_answers(CLI::App &c, arguments &to) {
 
 const collide_request &read(arguments &args) {
   collide_request &q = args.request;
+  check_self(args);
+  q.merge = !args.separate;
   q.on = processor_named(args.device);
   if (q.on == processor::best && args.instruction_set != "auto") // the option concerns the CPU alone
     q.on = processor::cpu;
@@ -115,13 +163,18 @@ const collide_request &read(arguments &args) {
 
 } // namespace
 
-command add_collide(CLI::App &program, const kernel_library &all) {
+command add_collide(CLI::App &program, const kernel_library &all, const kernel_library &neighbours) {
   CLI::App &c = *program.add_subcommand("collide", "Find all touching pairs of the elements of two files");
   const auto args = std::make_shared<arguments>();
   add_sets(c, *args);
   add_question(c, *args);
   add_answers(c, *args);
-  return {&c, [all, args] { return collide(kernels_named(all, args->instruction_set), read(*args)); }};
+  return {&c, [all, neighbours, args] {
+            const collide_request &q = read(*args);
+            const catalogue &kernels = kernels_named(all, args->instruction_set);
+            return q.self ? collide_self(kernels, kernels_named(neighbours, args->instruction_set), q)
+                          : collide(kernels, q);
+          }};
 }
 
 } // namespace meetc::app
