@@ -175,7 +175,8 @@ int sign_of(const oracle::rational &q) {
   return sgn(q);
 }
 
-// Without hulls nothing tells what is true of the operands, so the decision is compared with what the spec says of dense products.
+// Without hulls nothing tells what is true of the operands, so the decision is compared with what the spec says of dense
+// products.
 class truth {
 public:
   truth(const lower::model &m, const lower::kernel &k, const operands &of)

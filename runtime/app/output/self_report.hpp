@@ -22,7 +22,7 @@ struct self_report {
   const char *instruction_set = "";
   std::vector<std::string> written = {};
 
-  // Of faces, which polygons are as a whole; filled by name_faces().
+  // About faces, which polygons are as a whole; filled by name_faces().
   std::uint64_t pairs = 0, touched = 0;
   std::vector<std::uint8_t> hit = {};           // 1 for each face that is in a pair
   std::vector<std::uint32_t> without_area = {}; // faces all of whose triangles have none, sorted
@@ -30,8 +30,8 @@ struct self_report {
 
 void name_faces(self_report &r);
 
-// A line `a,b`, then a row for each pair of faces; where polygons were cut, for each pair of triangles, which follow the faces as
-// triangle_a and triangle_b.
+// A line `a,b`, then a row for each pair of faces; where polygons were cut, for each pair of triangles, whose numbers follow
+// as triangle_a and triangle_b.
 void write_self_pairs(const std::filesystem::path &to, const self_report &r);
 
 std::string summary(const self_report &r);

@@ -4,7 +4,7 @@
 
 namespace meetc {
 
-// Of a row of nine coordinates, which are finite; exact.
+// row: the nine finite coordinates of three points. The answer is exact.
 bool collinear(const float *row);
 
 } // namespace meetc

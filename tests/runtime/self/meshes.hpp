@@ -101,7 +101,8 @@ inline mesh eight_torus(double r, int around, int across) {
   for (int i = 0; i < around; ++i)
     for (int j = 0; j < across; ++j) {
       const double b = 2 * std::numbers::pi * i / around, a = 2 * std::numbers::pi * j / across;
-      for (const double x : {(1 - r * std::cos(a)) * std::cos(b), (1 - r * std::cos(a)) * std::sin(b), r * std::sin(2 * a)})
+      for (const double x :
+           {(1 - r * std::cos(a)) * std::cos(b), (1 - r * std::cos(a)) * std::sin(b), r * std::sin(2 * a)})
         m.xyz.push_back(static_cast<float>(x));
       m.index.insert(m.index.end(), {number(i, j), number(i + 1, j), number(i + 1, j + 1)});
       m.index.insert(m.index.end(), {number(i, j), number(i + 1, j + 1), number(i, j + 1)});
