@@ -1,8 +1,8 @@
 // Checks names: duplicates, unknown ones, kinds that contain themselves, functions that call themselves.
 #include "gen/lang/analytic.hpp"
 #include "gen/lang/hints.hpp"
-#include "gen/lang/meaning.hpp"
 #include "gen/lang/operators.hpp"
+#include "gen/lang/relations.hpp"
 #include "gen/lang/spec.hpp"
 
 #include <algorithm>

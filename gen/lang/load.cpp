@@ -1,6 +1,5 @@
 // Reads an algebra from TOML, and checks what each table may hold.
 #include "gen/lang/grades.hpp"
-#include "gen/lang/meaning.hpp"
 #include "gen/lang/places.hpp"
 #include "gen/lang/read_basis.hpp"
 #include "gen/lang/relations.hpp"

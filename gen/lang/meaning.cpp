@@ -1,4 +1,5 @@
-#include "gen/lang/meaning.hpp"
+// Reads and checks the meaning of a predicate.
+#include "gen/lang/relations.hpp"
 
 #include <fmt/format.h>
 
