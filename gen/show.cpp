@@ -38,7 +38,7 @@ std::string spec_text(const lower::model &m, const lower::request &r) {
       out += fmt::format("{} = {}\n", l.name, lang::print(*l.body));
     for (const auto &e : r.asked->reject)
       out += fmt::format("reject {}\n", lang::print(*e));
-    return out + fmt::format("hit {}\n", lang::print(*r.asked->hit));
+    return out + fmt::format("hit {}\nmeans {}\n", lang::print(*r.asked->hit), lang::text_of(*r.asked));
   }
   out += fmt::format("{}\n", r.text);
   for (const lang::function &f : m.spec().functions)

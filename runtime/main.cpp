@@ -6,6 +6,7 @@
 #include "meet/bench/tables/command/command.hpp"
 
 #include <cga/cga_runtime.hpp>
+#include <neighbours/neighbours_runtime.hpp>
 
 namespace {
 
@@ -13,7 +14,8 @@ int run(int argc, char **argv) {
   const meetc::catalogue &all = cga::catalogue();
   return meetc::app::run(argc, argv,
                          {[](CLI::App &program) {
-                            return meetc::app::add_collide(program, {cga::catalogue, cga::catalogue_for});
+                            return meetc::app::add_collide(program, {cga::catalogue, cga::catalogue_for},
+                                                           {neighbours::catalogue, neighbours::catalogue_for});
                           },
                           [&all](CLI::App &program) { return meetc::app::add_inspect(program, all); },
                           [&all](CLI::App &program) { return meetc::app::add_demo(program, all); },

@@ -86,17 +86,19 @@ if(TARGET meet_core)
   meetc_install_headers("${PROJECT_SOURCE_DIR}/runtime/core" meet/core ${MEETC_CORE_HEADERS})
 endif()
 
-# The predicates of the shipped scene, compiled: the namespace cga, by <cga/cga.hpp> and <cga/cga_runtime.hpp>.
+# The predicates of the shipped scenes, compiled: the namespace cga, by <cga/cga.hpp> and <cga/cga_runtime.hpp>, and those of
+# neighbours in a mesh by <neighbours/neighbours_runtime.hpp>.
 if(TARGET meet_core AND TARGET meet_kernels)
   set_target_properties(meet_kernels PROPERTIES EXPORT_NAME kernels)
-  install(TARGETS meet_kernels EXPORT meetc_runtime_targets
+  set_target_properties(meet_neighbours PROPERTIES EXPORT_NAME neighbours)
+  install(TARGETS meet_kernels meet_neighbours EXPORT meetc_runtime_targets
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT meetc_runtime
     INCLUDES DESTINATION "${MEETC_INSTALL_HEADERS}")
   set(launchers "")
   if(NOT TARGET meet_kernels_cuda) # the headers of launchers that no installed library holds
     set(launchers PATTERN "*_cuda.hpp" EXCLUDE PATTERN "*_every_pair.hpp" EXCLUDE)
   endif()
-  install(DIRECTORY "${PROJECT_SOURCE_DIR}/generated/default/cga"
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/generated/default/cga" "${PROJECT_SOURCE_DIR}/generated/neighbours/neighbours"
     DESTINATION "${MEETC_INSTALL_HEADERS}" COMPONENT meetc_runtime FILES_MATCHING PATTERN "*.hpp"
     PATTERN "proofs" EXCLUDE ${launchers})
 endif()

@@ -2,6 +2,7 @@
 #include "gen/lang/analytic.hpp"
 #include "gen/lang/hints.hpp"
 #include "gen/lang/operators.hpp"
+#include "gen/lang/relations.hpp"
 #include "gen/lang/spec.hpp"
 
 #include <algorithm>
@@ -114,6 +115,7 @@ public:
         expression(*r, s);
       expression(*p.hit, s);
       calls_itself(p.name, p.where);
+      check_meaning(a_, p);
     }
     for (const reading &r : a_.readings)
       reads(r);

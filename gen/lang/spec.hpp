@@ -76,6 +76,14 @@ struct function {
   location orders_where;
 };
 
+// The meaning of a hit: a fact about the two elements as closed convex bodies, by which `meetc verify` judges.
+enum class meaning {
+  touch,    // they share a point
+  beyond,   // they share a point beyond the simplex of their common corners
+  overlap,  // their interiors meet: no translation that is short enough parts them
+  contains, // the first holds all of the second
+};
+
 struct predicate {
   std::string name;
   location where;
@@ -84,7 +92,14 @@ struct predicate {
   std::vector<expr_ptr> reject; // cheap conditions, each sufficient for a miss
   expr_ptr hit;
   std::string mode; // "solid", "surface", or "" where the two do not differ
+  meaning means = meaning::touch;
+  location means_where;
+  int common = 0; // of meaning::beyond: this many first points of both hulls are the same; 0: those that are equal
+  location common_where;
 };
+
+// A predicate's meaning in words: "touch", "beyond 1 common point".
+std::string text_of(const predicate &p);
 
 struct algebra {
   std::string name;

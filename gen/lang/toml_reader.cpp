@@ -116,6 +116,14 @@ double toml_reader::as_positive_number(const toml::node &node, const std::string
   return *v;
 }
 
+std::int64_t toml_reader::as_whole_number(const toml::node &node, const std::string &what, std::int64_t least,
+                                          std::int64_t most) const {
+  const std::optional<std::int64_t> v = node.value_exact<std::int64_t>();
+  if (!v || *v < least || *v > most)
+    throw spec_error(place(node), fmt::format("{} must be a whole number from {} to {}", what, least, most));
+  return *v;
+}
+
 bool toml_reader::as_bool(const toml::node &node, const std::string &what) const {
   if (!node.is_boolean())
     throw spec_error(place(node), fmt::format("{} must be true or false", what));

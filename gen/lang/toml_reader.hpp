@@ -26,6 +26,8 @@ public:
   std::vector<std::string> as_strings(const toml::node &node, const std::string &what) const;
   const toml::array &as_array(const toml::node &node, const std::string &what) const;
   double as_positive_number(const toml::node &node, const std::string &what) const; // finite
+  std::int64_t as_whole_number(const toml::node &node, const std::string &what, std::int64_t least,
+                               std::int64_t most) const;
   bool as_bool(const toml::node &node, const std::string &what) const;
 
   // A 'literal' or '''literal''' string, parsed as an expression.

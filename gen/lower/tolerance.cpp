@@ -63,6 +63,10 @@ tolerant_kernel offered(const model &m, const kernel &k, const bound::kernel_bou
                                                     "pad, so that rounding it may move anything",
                                                     k.asked.text, reals[r].path, kind.name));
   }
+  if (k.asked.asked->means != lang::meaning::touch)
+    throw spec_error(k.asked.where, fmt::format("'{}' keeps no tolerance: its meaning is not 'touch', so that no short "
+                                                "move is proved to mend its wrong answers; ask for the rung certified",
+                                                k.asked.text));
   if (!bounds.groups.weights.empty())
     throw spec_error(k.asked.where, fmt::format("'{}' keeps no tolerance: its signs are homogeneous only in groups of "
                                                 "numbers, each with a grid of its own; ask for the rung certified",

@@ -87,8 +87,26 @@ public:
     throw std::logic_error("two hulls without a distance"); // excluded by the argument above
   }
 
+  // Calls f(numerators, denominator) for points of both hulls, among them all extreme points of their common part: there
+  // the flats through some corners of a and through some of b, whose directions are independent, meet in one point.
+  template <class F> void each_common(F &&f) {
+    vec x;
+    for (unsigned i = 1; i < 1U << a_.size(); ++i)
+      for (unsigned j = 1; j < 1U << b_.size(); ++j)
+        if (stationary(i, j) && w_[0] == 0 && w_[1] == 0 && w_[2] == 0) {
+          for (std::size_t k = 0; k < 3; ++k) {
+            x[k] = system_.d * (*start_a_)[k];
+            for (std::size_t n = 0; n < of_a_; ++n)
+              x[k] += system_.t[n] * directions_[n][k];
+          }
+          f(x, system_.d);
+        }
+  }
+
 private:
   const corners &a_, &b_;
+  const vec *start_a_ = nullptr; // the first of the corners of a in use, and the number of directions from it
+  std::size_t of_a_ = 0;
   vec directions_[3], first_, w_;
   regular_system system_;
   integer square_, least_, most_, x_;
@@ -96,18 +114,19 @@ private:
   // w / d = x - y, where x and y are the nearest points of the flats through these corners of a and of b, a stationary
   // point of |x - y|². Returns false where x and y are not unique, or where one lies outside its hull.
   bool stationary(unsigned in_a, unsigned in_b) {
-    const vec *start_a = nullptr, *start_b = nullptr;
-    std::size_t n = 0, of_a = 0;
+    const vec *start_b = nullptr;
+    std::size_t n = 0;
+    start_a_ = nullptr;
     for (std::size_t i = 0; i < a_.size(); ++i)
       if (in_a >> i & 1) {
-        if (!start_a)
-          start_a = &a_[i];
+        if (!start_a_)
+          start_a_ = &a_[i];
         else if (n == 3)
           return false;
         else
-          subtract(directions_[n++], a_[i], *start_a);
+          subtract(directions_[n++], a_[i], *start_a_);
       }
-    of_a = n;
+    of_a_ = n;
     for (std::size_t i = 0; i < b_.size(); ++i)
       if (in_b >> i & 1) {
         if (!start_b)
@@ -117,7 +136,7 @@ private:
         else
           subtract(directions_[n++], *start_b, b_[i]);
       }
-    subtract(first_, *start_a, *start_b);
+    subtract(first_, *start_a_, *start_b);
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t j = 0; j <= i; ++j) {
         dot(system_.g[i][j], directions_[i], directions_[j]);
@@ -126,8 +145,8 @@ private:
       dot(system_.g[i][n], directions_[i], first_);
       mpz_neg(system_.g[i][n].get_mpz_t(), system_.g[i][n].get_mpz_t());
     }
-    if (!system_.eliminate(n) || !system_.solve_nonnegative(n) || !first_weight_feasible(0, of_a) ||
-        !first_weight_feasible(of_a, n))
+    if (!system_.eliminate(n) || !system_.solve_nonnegative(n) || !first_weight_feasible(0, of_a_) ||
+        !first_weight_feasible(of_a_, n))
       return false;
     for (std::size_t k = 0; k < 3; ++k) {
       mpz_mul(w_[k].get_mpz_t(), system_.d.get_mpz_t(), first_[k].get_mpz_t());
@@ -257,6 +276,23 @@ rational squared_distance(const hull &a, const hull &b) {
   programme(in.a, in.b).solve(square.get_num(), square.get_den());
   square.canonicalize();
   return square / (in.factor * in.factor);
+}
+
+std::vector<point> common_part(const hull &a, const hull &b) {
+  require_few_points(a, b);
+  const on_integers in(a, 0, b, 0);
+  std::vector<point> out;
+  programme(in.a, in.b).each_common([&](const vec &x, const integer &d) {
+    point p;
+    for (std::size_t k = 0; k < 3; ++k) {
+      p[k] = rational(x[k], d);
+      p[k].canonicalize();
+      p[k] = p[k] / in.factor + a[0][k];
+    }
+    if (std::find(out.begin(), out.end(), p) == out.end())
+      out.push_back(std::move(p));
+  });
+  return out;
 }
 
 rational max_squared_distance(const point &p, const hull &a) {

@@ -25,6 +25,9 @@ using hull = std::vector<point>;
 // The square of the least distance between a point of a and a point of b; 0 where they share a point.
 [[nodiscard]] rational squared_distance(const hull &a, const hull &b);
 
+// Points of which the common part of two hulls is the hull; none where they share no point.
+[[nodiscard]] std::vector<point> common_part(const hull &a, const hull &b);
+
 // The square of the greatest distance between p and a point of a. The distance is convex, so a corner attains it.
 [[nodiscard]] rational max_squared_distance(const point &p, const hull &a);
 

@@ -1,11 +1,12 @@
 #include "gen/ir/evaluate.hpp"
-#include "gen/oracle/convex.hpp"
+#include "gen/oracle/bodies.hpp"
 #include "gen/verify/dense_model.hpp"
 #include "gen/verify/verify.hpp"
 
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <iterator>
 #include <random>
 
 namespace meetc::verify {
@@ -28,19 +29,41 @@ struct sample {
   oracle::rational pad = 0;
 };
 
-// The numbers and the enclosures of both operands, and the mode in which they touch.
+// The numbers and the enclosures of both operands, and the meaning of a hit.
 struct operands {
   std::array<std::size_t, 2> reals;
   std::array<lower::enclosure, 2> enclosures;
-  oracle::touch_mode mode;
+  const lang::predicate &asked;
 
-  operands(const lower::model &m, const lower::kernel &k)
-      : mode(k.asked.asked->mode == "surface" ? oracle::touch_mode::surface : oracle::touch_mode::solid) {
+  operands(const lower::model &m, const lower::kernel &k) : asked(*k.asked.asked) {
     for (std::size_t i = 0; i < 2; ++i)
       reals[i] = m.layout(*k.asked.kinds[i]).reals.size(), enclosures[i] = lower::enclosing(m, *k.asked.kinds[i]);
   }
   bool bounded() const { return !enclosures[0].hull.empty() && !enclosures[1].hull.empty(); }
-  bool touch(const sample &a, const sample &b) const { return oracle::touches(a.hull, a.pad, b.hull, b.pad, mode); }
+  bool hit(const sample &a, const sample &b) const {
+    const std::size_t dimensions = enclosures[0].hull[0].size();
+    switch (asked.means) {
+    case lang::meaning::touch:
+      break;
+    case lang::meaning::beyond:
+      return oracle::meets_beyond(a.hull, b.hull, common(a.hull, b.hull));
+    case lang::meaning::overlap:
+      return oracle::overlaps({a.hull, a.pad, dimensions}, {b.hull, b.pad, dimensions});
+    case lang::meaning::contains:
+      return oracle::contains({a.hull, a.pad, dimensions}, {b.hull, b.pad, dimensions});
+    }
+    return oracle::touches(a.hull, a.pad, b.hull, b.pad,
+                           asked.mode == "surface" ? oracle::touch_mode::surface : oracle::touch_mode::solid);
+  }
+  // The points that the predicate says to be common, else those that are equal.
+  oracle::hull common(const oracle::hull &a, const oracle::hull &b) const {
+    if (asked.common > 0)
+      return {a.begin(), a.begin() + asked.common};
+    oracle::hull out;
+    std::copy_if(a.begin(), a.end(), std::back_inserter(out),
+                 [&](const oracle::point &p) { return std::find(b.begin(), b.end(), p) != b.end(); });
+    return out;
+  }
 };
 
 // The hull and the pad that the stored numbers say.
@@ -101,6 +124,14 @@ sample draw(lattice &random, std::size_t reals, const lower::enclosure &e, int s
   return out;
 }
 
+// Gives b the points that are common.
+void join(const operands &of, const sample &a, sample &b) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(of.asked.common); ++i)
+    for (std::size_t axis = 0; axis < of.enclosures[1].hull[i].size(); ++axis)
+      b.row[static_cast<std::size_t>(of.enclosures[1].hull[i][axis])] = a.hull[i][axis];
+  place(b, of.enclosures[1]);
+}
+
 // Both operands. Either may provide the corners of the other.
 std::pair<sample, sample> draw_pair(lattice &random, const operands &of, int size, int flat_axis) {
   sample a, b;
@@ -111,6 +142,7 @@ std::pair<sample, sample> draw_pair(lattice &random, const operands &of, int siz
     a = draw(random, of.reals[0], of.enclosures[0], size, flat_axis, nullptr);
     b = draw(random, of.reals[1], of.enclosures[1], size, flat_axis, random.one_in(3) ? nullptr : &a.hull);
   }
+  join(of, a, b);
   return {std::move(a), std::move(b)};
 }
 
@@ -143,7 +175,8 @@ int sign_of(const oracle::rational &q) {
   return sgn(q);
 }
 
-// Without hulls nothing tells which operands touch, so the decision is compared with what the spec says of dense products.
+// Without hulls nothing tells what is true of the operands, so the decision is compared with what the spec says of dense
+// products.
 class truth {
 public:
   truth(const lower::model &m, const lower::kernel &k, const operands &of)
@@ -151,7 +184,7 @@ public:
 
   bool operator()(const sample &a, const sample &b) const {
     if (of_.bounded())
-      return of_.touch(a, b);
+      return of_.hit(a, b);
     std::size_t next_a = 0, next_b = 0;
     return dense_.hit(*k_.asked.asked, {dense_.operand(*k_.asked.kinds[0], a.row, next_a),
                                         dense_.operand(*k_.asked.kinds[1], b.row, next_b)});
@@ -216,7 +249,16 @@ report verify_settled(const lower::model &m, const lower::kernel &k, const bound
   const operands of(m, k);
   const truth is_hit(m, k, of);
   lattice random(seed);
-  for (const std::uint32_t set : bounds.settled_by)
+  for (const std::uint32_t set : bounds.settled_by) {
+    std::vector<bound::coincidence> equal;
+    for (std::size_t c = 0; c < bounds.coincidences.size(); ++c)
+      if (set >> c & 1)
+        equal.push_back(bounds.coincidences[c]);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(of.asked.common); ++i) {
+      equal.push_back({of.enclosures[0].hull[i], of.enclosures[1].hull[i]});
+      for (int &input : equal.back().y)
+        input += static_cast<int>(of.reals[0]);
+    }
     for (long i = 0; i < cases; ++i) {
       auto [a, b] = of.bounded() ? draw_case(random, of, i) : draw_numbers(random, of, i);
       const auto number = [&, &a = a, &b = b](int input) -> oracle::rational & {
@@ -224,13 +266,12 @@ report verify_settled(const lower::model &m, const lower::kernel &k, const bound
         return at < a.row.size() ? a.row[at] : b.row[at - a.row.size()];
       };
       // A point may be in several coincidences; the lesser number wins, so that all hold after as many rounds.
-      for (std::size_t round = 0; round < bounds.coincidences.size(); ++round)
-        for (std::size_t c = 0; c < bounds.coincidences.size(); ++c)
-          if (set >> c & 1)
-            for (std::size_t axis = 0; axis < bounds.coincidences[c].x.size(); ++axis) {
-              oracle::rational &x = number(bounds.coincidences[c].x[axis]), &y = number(bounds.coincidences[c].y[axis]);
-              (x < y ? y : x) = x < y ? x : y;
-            }
+      for (std::size_t round = 0; round < equal.size(); ++round)
+        for (const bound::coincidence &c : equal)
+          for (std::size_t axis = 0; axis < c.x.size(); ++axis) {
+            oracle::rational &x = number(c.x[axis]), &y = number(c.y[axis]);
+            (x < y ? y : x) = x < y ? x : y;
+          }
       place(a, of.enclosures[0]), place(b, of.enclosures[1]);
       ++out.cases;
       if (is_hit(a, b))
@@ -239,6 +280,7 @@ report verify_settled(const lower::model &m, const lower::kernel &k, const bound
         out.first_wrong = fmt::format("{}({}, {}) is a miss, though equal points are said to settle it", k.asked.text,
                                       text_of(a.row), text_of(b.row));
     }
+  }
   out.hits = out.cases - out.wrong;
   return out;
 }

@@ -1,8 +1,8 @@
 // verify: compiled kernels, compared with the oracle.
 //
 //   formulas    with the dense 2^n product (gen/oracle/dense.hpp), in exact rationals
-//   predicates  with exact convex feasibility of the operands' hulls (gen/oracle/convex.hpp), on small lattices
-//               where about half of the cases are degenerate; where an operand has no hull, with what the spec says
+//   predicates  by their `means`, with exact convex geometry of the operands' hulls (gen/oracle/bodies.hpp), on small
+//               lattices where about half of the cases are degenerate; where an operand has no hull, with what the spec says
 //               of dense products
 //   settled     equal points that are said to settle a predicate, with the same geometry
 #pragma once

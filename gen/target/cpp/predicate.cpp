@@ -194,6 +194,8 @@ std::string predicate_text(const unit &u, std::size_t number) {
   for (const lang::expr_ptr &r : asked.reject)
     out += commented("miss: ", lang::print(*r));
   out += commented("hit: ", lang::print(*asked.hit));
+  if (asked.means != lang::meaning::touch)
+    out += commented("means: ", lang::text_of(asked));
   out += fmt::format("struct {}{} {{\n  static constexpr int inputs_a = {}, inputs_b = {}, atoms = {};\n"
                      "  static constexpr bool symmetric = {};{}\n",
                      p.name, bases(p), d.inputs_a, d.inputs_b, d.signs.atoms().size(), d.symmetric,

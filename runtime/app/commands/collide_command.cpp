@@ -13,7 +13,6 @@
 #include "meet/app/text/progress.hpp"
 #include "meet/core/views/nouns.hpp"
 #include "meet/io/read.hpp"
-#include "meet/io/text/text.hpp"
 
 #include <chrono>
 #include <cstdio>
@@ -26,14 +25,6 @@ namespace meetc::app {
 namespace fs = std::filesystem;
 
 namespace {
-
-// A name without an extension may be that of a device.
-void check_picture(const fs::path &to) {
-  const std::string extension = io::lower_case(to.extension().string());
-  if (!extension.empty() && extension != ".png")
-    throw failure(fmt::format("--image {}: pictures are PNG; name it {}", to.string(),
-                              fs::path(to).replace_extension(".png").string()));
-}
 
 void check_outputs(const collide_request &q, output_files &outputs) {
   if (q.any && (q.pairs || q.first || q.colour || q.image || !q.evaluate.empty()))

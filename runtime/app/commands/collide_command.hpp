@@ -22,6 +22,7 @@ struct collide_request {
   double tolerance = 0; // 0: no answer may be wrong
   io::read_options read_a, read_b;
   bool any = false, json = false, fail_on_touch = false;
+  bool self = false, merge = true; // A with itself; its corners with equal coordinates are one
   std::optional<std::filesystem::path> pairs, first, colour, image;
   std::vector<std::string> evaluate; // a formula and the file for its values, or none
   int threads = 0;
@@ -33,8 +34,8 @@ struct collide_request {
 // something touches. If a set leaves the scene's box, a line on standard error warns of it. Throws io::error.
 printed collide(const catalogue &all, const collide_request &request);
 
-// The command and its options.
-command add_collide(CLI::App &program, const kernel_library &all);
+// The command and its options. `neighbours` has the predicates of `--self`.
+command add_collide(CLI::App &program, const kernel_library &all, const kernel_library &neighbours);
 
 } // namespace meetc::app
 

@@ -1,17 +1,17 @@
 // The options of `meet collide`.
+#include "meet/app/commands/bodies_options.hpp"
 #include "meet/app/commands/collide_command.hpp"
+#include "meet/app/commands/self_command.hpp"
 #include "meet/app/input/failure.hpp"
 #include "meet/app/input/input_options.hpp"
 #include "meet/app/input/option_values.hpp"
 #include "meet/app/query/choose.hpp"
-#include "meet/app/world/collide_bodies.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
-#include <span>
+#include <utility>
 
 namespace meetc::app {
 
@@ -23,35 +23,57 @@ struct arguments {
   std::string precision = "certified", device = "auto", instruction_set = "auto";
   std::optional<std::string> tolerance, threads, devices;
   input_arguments a, b;
-  bodies_request bodies; // of --world, or of more than two files
-  std::vector<std::filesystem::path> more;
-  std::vector<std::string> allowed;
-  std::optional<std::string> only;
-
-  bool many() const { return bodies.world || !more.empty(); }
+  bool separate = false; // --no-merge
+  bodies_arguments bodies;
 };
+
+// Throws failure for an option that says nothing of a mesh with itself, or that says something of that alone.
+void check_self(const arguments &args) {
+  const collide_request &q = args.request;
+  if (!q.self && args.separate)
+    throw failure("--no-merge goes with --self, which finds where one mesh crosses itself");
+  if (!q.self && q.b.empty())
+    throw failure("B is required, the other set; to find where A crosses itself, write --self");
+  if (!q.self)
+    return;
+  if (!q.b.empty())
+    throw failure(fmt::format("--self is about A alone; leave out {}, or --self", q.b.string()));
+  const input_arguments &b = args.b;
+  const std::pair<const char *, bool> given[] = {
+      {"--format-b", b.format.has_value()}, {"--kind-b", b.kind.has_value()},
+      {"--scale-b", b.scale.has_value()},   {"--matrix-b", b.matrix.has_value()},
+      {"--motor-b", b.motor.has_value()},   {"--translate-b", b.translate.has_value()}};
+  for (const auto &[name, there] : given)
+    if (there)
+      throw failure(fmt::format("{}: with --self there is no B", name));
+  const std::pair<const char *, bool> other[] = {{"--predicate", q.predicate.has_value()},
+                                                 {"--mode", q.mode.has_value()},
+                                                 {"--tolerance", args.tolerance.has_value()},
+                                                 {"--any", q.any},
+                                                 {"--first", q.first.has_value()},
+                                                 {"--evaluate", !q.evaluate.empty()}};
+  for (const auto &[name, there] : other)
+    if (there)
+      throw failure(fmt::format("{} goes with two sets, and --self with one; leave one of them out", name));
+  if (args.precision != "certified")
+    throw failure(
+        fmt::format("--precision {}: the answer of --self is certified; leave the option out", args.precision));
+  if (args.device == "cuda")
+    throw failure("--device cuda: --self runs on the CPU; leave the option out");
+}
 
 void add_sets(CLI::App &c, arguments &to) {
   c.add_option("A", to.request.a, files_help)->type_name("FILE");
   c.add_option("B", to.request.b, "The other set; the same file gives every ordered pair (i, j), i = j included")
       ->type_name("FILE");
-  c.add_option("C", to.more, "Further bodies: the answer is then which bodies touch")->type_name("FILE");
-}
-
-void add_bodies(CLI::App &c, arguments &to) {
-  c.add_option(
-       "--world", to.bodies.world,
-       "Collide the bodies that a file lists, with their poses and the pairs that may touch: {\"bodies\": [{\"name\", "
-       "\"file\", \"pose\"}], \"allow\": [[\"arm\", \"tool\"]]}")
-      ->type_name("cell.json");
-  c.add_option("--poses", to.bodies.poses,
-               "Move the bodies frame by frame: rows of frame,body and a 3x4 matrix m00,..,m23, or x,y,z,qw,qx,qy,qz")
-      ->type_name("poses.csv");
-  c.add_option("--allow", to.allowed, "A pair of bodies that may touch, such as arm,tool or floor,*; may be repeated")
-      ->allow_extra_args(false)
-      ->type_name("NAME,NAME");
-  c.add_option("--only", to.only, "Ask about this pair of bodies alone, such as arm,*")->type_name("NAME,NAME");
-  c.add_flag("--fail-on-touch", to.request.fail_on_touch, "Exit with 1 where something touches")
+  c.add_flag(
+       "--self", to.request.self,
+       "Find where the mesh A crosses itself, in place of B: the pairs of its faces that meet beyond their common "
+       "corners. Corners with equal coordinates are one")
+      ->disable_flag_override();
+  c.add_flag("--no-merge", to.separate,
+             "With --self: corners are one only if they are one vertex of the file, so that sheets that lie on each "
+             "other meet")
       ->disable_flag_override();
 }
 
@@ -116,12 +138,15 @@ void add_answers(CLI::App &c, arguments &to) {
                "Write a.ply and b.ply with touched faces in bright colours into this folder")
       ->type_name("DIR");
   c.add_option("--image", q.image, "Write a picture in which touching elements stand out")->type_name("out.png");
+  c.add_flag("--fail-on-touch", q.fail_on_touch, "Exit with 1 where something touches")->disable_flag_override();
   c.add_flag("--json", q.json, "Print one JSON object instead of the summary")->disable_flag_override();
   c.add_option("--threads", to.threads, "Threads; 0, the default, is all cores")->type_name("N");
 }
 
 const collide_request &read(arguments &args) {
   collide_request &q = args.request;
+  check_self(args);
+  q.merge = !args.separate;
   q.on = processor_named(args.device);
   if (q.on == processor::best && args.instruction_set != "auto") // the option concerns the CPU alone
     q.on = processor::cpu;
@@ -142,30 +167,9 @@ const collide_request &read(arguments &args) {
   return q;
 }
 
-// Throws failure for an option that was given and that is for another number of bodies.
-void require_fit(const CLI::App &c, bool many) {
-  constexpr const char *of_many[] = {"--world", "--poses", "--allow", "--only"};
-  constexpr const char *of_both[] = {"A",       "B",      "C",         "--mode",          "--precision",      "--any",
-                                     "--pairs", "--json", "--threads", "--fail-on-touch", "--instruction-set"};
-  const auto among = [](std::span<const char *const> names, const std::string &name) {
-    return std::ranges::any_of(names, [&name](const char *n) { return name == n; });
-  };
-  for (const CLI::Option *const o : c.get_options()) {
-    const std::string name = o->get_name();
-    if (o->count() == 0 || among(of_both, name) || among(of_many, name) == many)
-      continue;
-    throw failure(many ? fmt::format("{}: it is for two sets, and not for many bodies", name)
-                       : fmt::format("{}: it is for many bodies, as of --world or of three files and more", name));
-  }
-}
-
-printed collide_many(const kernel_library &all, arguments &args) {
-  bodies_request &q = args.bodies;
+printed collide_many(const kernel_library &all, const arguments &args) {
   const collide_request &r = args.request;
-  if (q.world && !r.a.empty())
-    throw failure(fmt::format("{}: --world lists all bodies; name the file there", r.a.string()));
-  q.files = {r.a, r.b};
-  q.files.insert(q.files.end(), args.more.begin(), args.more.end());
+  bodies_request q = bodies_named(args.bodies, r.a, r.b);
   if (r.mode)
     q.mode = *r.mode;
   if (q.mode != "solid" && q.mode != "surface")
@@ -174,31 +178,29 @@ printed collide_many(const kernel_library &all, arguments &args) {
   q.any = r.any, q.json = r.json, q.pairs = r.pairs;
   if (args.threads)
     q.threads = threads_named(*args.threads);
-  for (const std::string &text : args.allowed)
-    q.allowed.push_back(name_pair_of("--allow", text));
-  if (args.only)
-    q.only = name_pair_of("--only", *args.only);
   bodies_report report = collide_bodies(kernels_named(all, args.instruction_set), q);
   return {std::move(report.text), r.fail_on_touch && report.touch ? check_failed : done};
 }
 
 } // namespace
 
-command add_collide(CLI::App &program, const kernel_library &all) {
+command add_collide(CLI::App &program, const kernel_library &all, const kernel_library &neighbours) {
   CLI::App &c = *program.add_subcommand("collide", "Find all touching pairs of the elements of two files");
   const auto args = std::make_shared<arguments>();
   add_sets(c, *args);
   add_question(c, *args);
   add_answers(c, *args);
-  add_bodies(c, *args);
-  return {&c, [all, args, &c] {
-            require_fit(c, args->many());
-            if (args->many())
+  add_bodies(c, args->bodies);
+  return {&c, [all, neighbours, args, &c]() -> printed {
+            require_fit(c, args->bodies.many());
+            if (args->bodies.many())
               return collide_many(all, *args);
-            if (args->request.a.empty() || args->request.b.empty())
-              throw failure(
-                  fmt::format("{} is required (meet collide --help says more)", args->request.a.empty() ? "A" : "B"));
-            return collide(kernels_named(all, args->instruction_set), read(*args));
+            if (args->request.a.empty())
+              throw failure("A is required (meet collide --help says more)");
+            const collide_request &q = read(*args);
+            const catalogue &kernels = kernels_named(all, args->instruction_set);
+            return q.self ? collide_self(kernels, kernels_named(neighbours, args->instruction_set), q)
+                          : collide(kernels, q);
           }};
 }
 

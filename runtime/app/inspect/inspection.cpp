@@ -1,8 +1,7 @@
 #include "meet/app/inspect/inspection.hpp"
 
+#include "meet/core/views/collinear.hpp"
 #include "meet/core/views/pose.hpp"
-
-#include <meetc/decide/bytecode.hpp>
 
 #include <algorithm>
 #include <array>
@@ -13,30 +12,6 @@
 namespace meetc::app {
 
 namespace {
-
-// Whether the corners are collinear, by the cross product of two edges in integers that are wide enough.
-bool zero_area(const float *row) {
-  const grid g = grid_of(row, 9);
-  // Differences need one more bit, and the difference of two products another one.
-  const int limbs = (2 * (g.bits() + 1) + 1) / 64 + 1;
-  std::uint64_t registers[13][9];
-  for (int i = 0; i < 9; ++i)
-    to_limbs(row[i], g.low, limbs, registers[i]);
-  bool zero = true;
-  for (std::uint16_t k = 0; k < 3; ++k) {
-    using enum opcode;
-    const auto l = static_cast<std::uint16_t>((k + 1) % 3);
-    const auto of = [](int corner, std::uint16_t axis) { return static_cast<std::uint16_t>(3 * corner + axis); };
-    const instruction cross[] = {{subtract, 9, of(1, k), k}, {subtract, 10, of(2, l), l}, {multiply, 11, 9, 10},
-                                 {subtract, 9, of(1, l), l}, {subtract, 10, of(2, k), k}, {multiply, 12, 9, 10},
-                                 {subtract, 11, 11, 12},     {take_sign, 0, 11, 0}};
-    sign s = sign::zero;
-    for (const instruction &t : cross)
-      execute(t, limbs, registers, &s);
-    zero = zero && s == sign::zero;
-  }
-  return zero;
-}
 
 // The least height of a triangle, the length of a segment, or the least side of a box; 0 for other kinds.
 double size_of(const kind_info &kind, const float *row) {
@@ -162,7 +137,7 @@ inspection inspection_of(const io::element_set &set) {
       if (kind.roles[p] == role::x)
         widen(f.points, &row[static_cast<std::size_t>(p)], &row[static_cast<std::size_t>(p)]);
     f.numbers = around(f.numbers, grid_of(row.data(), kind.fields));
-    if (kind.points == 3 && zero_area(row.data()))
+    if (kind.points == 3 && collinear(row.data()))
       areas.add(i);
     if (kind.points == 2 && std::equal(row.begin(), row.begin() + 3, row.begin() + 3))
       lengths.add(i);

@@ -4,6 +4,7 @@
 #include "meet/app/input/sets.hpp"
 #include "meet/core/views/pose.hpp"
 #include "meet/io/files/atomic_file.hpp"
+#include "meet/io/text/text.hpp"
 #include "meet/picture/render.hpp"
 
 #include <fmt/format.h>
@@ -90,6 +91,13 @@ picture::shape shape_of(const painted &side, kept &keep) {
 }
 
 } // namespace
+
+void check_picture(const std::filesystem::path &to) {
+  const std::string extension = io::lower_case(to.extension().string());
+  if (!extension.empty() && extension != ".png")
+    throw failure(fmt::format("--image {}: pictures are PNG; name it {}", to.string(),
+                              std::filesystem::path(to).replace_extension(".png").string()));
+}
 
 void write_coloured(const std::filesystem::path &path, const painted &side) {
   std::vector<io::rgb> colours(side.set.items, bytes(side.base));

@@ -24,7 +24,10 @@ struct painted {
 // Writes the mesh with a bright colour on every face that is hit and a calm one elsewhere.
 void write_coloured(const std::filesystem::path &path, const painted &side);
 
-// Writes a PNG of the two sides together and of each alone. Throws io::error.
+// Throws failure for the name of a picture of another format. A name without an extension may be that of a device.
+void check_picture(const std::filesystem::path &to);
+
+// Writes a PNG of all sides together and, if there are two, of each alone. Throws io::error.
 void write_picture(const std::filesystem::path &path, const std::vector<painted> &sides,
                    const picture::camera &from = {}, int width = 1600, int height = 900);
 

@@ -3,46 +3,17 @@
 #include "meet/core/answers/answers_for.hpp"
 #include "meet/core/cascade/cascade.hpp"
 #include "meet/core/query/decide.hpp"
-#include "meet/core/sets/normalised.hpp"
+#include "meet/core/query/operand.hpp"
 #include "meet/core/threads/threads.hpp"
 
 #include <chrono>
-#include <cstring>
-#include <optional>
 
 namespace meetc {
 namespace {
 
-bool same_kind(const kind_info &x, const kind_info &y) {
-  return &x == &y || (x.fields == y.fields && std::strcmp(x.name, y.name) == 0);
-}
-
 void require(bool holds, const char *what) {
   if (!holds)
     throw std::invalid_argument(what);
-}
-
-// The set whose rows a query reads: the normalised one where there is one.
-struct operand {
-  const prepared &given;
-  std::shared_ptr<const normalised_set> normal;
-
-  const element_set &set() const { return normal ? normal->set : given.set(); }
-  stored_operand stored(const stored_values &values, const kind_info &of) const {
-    return {normal ? normal->stored.of(values, of) : given.stored(values, of), values};
-  }
-};
-
-// Normalises both or none.
-void normalise(operand &a, operand &b) {
-  const int power = normalising_power(a.given.set(), b.given.set());
-  if (power == 0)
-    return;
-  a.normal = a.given.normalised(power);
-  if (a.normal)
-    b.normal = b.given.normalised(power);
-  if (!b.normal)
-    a.normal = nullptr;
 }
 
 bool owners_fit(std::span<const std::uint32_t> owners, const prepared &p) {
@@ -75,7 +46,7 @@ result find_touching(const prepared &a, const prepared &b, const predicate_info 
   require(s == status::ok, text(s));
   require(options.box >= 0, "the scene's box is negative or not a number");
   by.enter_box(options.box, a.set(), b.set());
-  operand of_a{a, nullptr}, of_b{b, nullptr};
+  query_operand of_a{a, nullptr}, of_b{b, nullptr};
   if (never_wrong(precision) && predicate.scales) // a plain rung answers for the numbers as they are, as on a device
     normalise(of_a, of_b);
   if (of_a.normal)

@@ -39,6 +39,8 @@ public:
   batch &operator=(const batch &) = delete;
 
   bool flush() override {
+    if (shared_.job.only)
+      size_ = shared_.job.only->keep(pairs_, size_);
     candidates_ += meant({pairs_, size_});
     const std::size_t n = decide();
     hits_ += meant({pairs_, n});

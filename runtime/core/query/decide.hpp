@@ -13,6 +13,14 @@
 
 namespace meetc {
 
+// Leaves out candidates that are not to be decided.
+class candidate_filter {
+public:
+  virtual ~candidate_filter() = default;
+  // Moves those that are to be decided to the front, in their order, and returns their number. Any thread may call.
+  virtual std::size_t keep(index_pair *slots, std::size_t n) const = 0;
+};
+
 struct decision_job {
   const element_set &a, &b;
   stored_operand stored_a, stored_b; // for by.stored_a and by.stored_b
@@ -24,6 +32,7 @@ struct decision_job {
   std::span<query_answer *const> answers; // which have been started; none: only count
   // Each candidate {a, b} stands for {b, a} as well, which has the same answer; a and b are one set, and no answer takes slots.
   bool both_ways = false;
+  const candidate_filter *only = nullptr; // before the candidates are counted; null: all are decided
 };
 
 struct tally {

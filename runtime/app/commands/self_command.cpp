@@ -1,0 +1,97 @@
+#include "meet/app/commands/self_command.hpp"
+
+#include "meet/app/input/failure.hpp"
+#include "meet/app/input/kinds.hpp"
+#include "meet/app/input/sets.hpp"
+#include "meet/app/output/output_files.hpp"
+#include "meet/app/output/paint.hpp"
+#include "meet/app/output/self_report.hpp"
+#include "meet/app/text/progress.hpp"
+#include "meet/core/query/find.hpp"
+#include "meet/core/views/nouns.hpp"
+#include "meet/io/read.hpp"
+
+#include <chrono>
+#include <fmt/format.h>
+#include <iterator>
+#include <memory>
+
+namespace meetc::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+using clock = std::chrono::steady_clock;
+
+double seconds_since(clock::time_point start) {
+  return std::chrono::duration<double>(clock::now() - start).count();
+}
+
+void check_outputs(const collide_request &q, output_files &outputs) {
+  if (q.pairs)
+    outputs.expect(*q.pairs);
+  if (q.image)
+    check_picture(*q.image), outputs.expect(*q.image);
+  if (q.colour && q.colour->empty())
+    throw failure("--color: the folder's name is empty");
+  if (q.colour)
+    outputs.expect(*q.colour / "a.ply", true);
+}
+
+void write_all(const collide_request &q, output_files &outputs, self_report &report) {
+  const painted a{report.a, report.hit, q.a.filename().string(), picture::palette::green, picture::palette::yellow};
+  if (q.pairs) {
+    outputs.write(*q.pairs, [&report](const fs::path &to) { write_self_pairs(to, report); });
+    report.written.push_back(q.pairs->string());
+  }
+  if (q.colour) {
+    outputs.make_folder(*q.colour);
+    const fs::path path = *q.colour / "a.ply";
+    outputs.write(path, [&a](const fs::path &to) { write_coloured(to, a); });
+    report.written.push_back(path.string());
+  }
+  if (q.image) {
+    outputs.write(*q.image, [&a](const fs::path &to) { write_picture(to, {a}); });
+    report.written.push_back(q.image->string());
+  }
+  outputs.commit();
+}
+
+} // namespace
+
+printed collide_self(const catalogue &all, const catalogue &neighbours, const collide_request &q) {
+  output_files outputs({q.a});
+  check_outputs(q, outputs);
+  const clock::time_point start = clock::now();
+  const io::element_set a = io::read(q.a, kinds_of(all), q.read_a);
+  if (!is_mesh(a))
+    throw failure(fmt::format("--self needs a mesh, whose faces may cross each other; {} holds {}", q.a.string(),
+                              plural_of(a.kind->name)));
+  self_report report{q.a.string(), a};
+  report.read_seconds = seconds_since(start);
+  report.moved = q.read_a.move.any();
+  report.merged = q.merge;
+  report.instruction_set = name_of(all.compiled_for);
+
+  const clock::time_point read = clock::now();
+  const prepared set = prepare(a, q.threads);
+  set.bounds(report.bounds.lo, report.bounds.hi);
+  report.prepare_seconds = seconds_since(read);
+  auto progress = std::make_unique<progress_line>("collide");
+  self_options options;
+  options.threads = q.threads;
+  options.merge = q.merge;
+  options.owner = a.owner;
+  options.progress = [&progress](double fraction) { (*progress)(fraction); };
+  report.found = self_pairs(set, view_of(a),
+                            {find_predicate(all, "triangle_triangle"), find_predicate(neighbours, "beyond_corner"),
+                             find_predicate(neighbours, "beyond_edge")},
+                            options);
+  progress.reset();
+  name_faces(report);
+  write_all(q, outputs, report);
+  return {q.json ? as_json(report) : summary(report),
+          q.fail_on_touch && !report.found.pairs.empty() ? check_failed : done};
+}
+
+} // namespace meetc::app
