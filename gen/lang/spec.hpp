@@ -84,6 +84,9 @@ struct predicate {
   std::vector<expr_ptr> reject; // cheap conditions, each sufficient for a miss
   expr_ptr hit;
   std::string mode; // "solid", "surface", or "" where the two do not differ
+  // The function of its second operand and a point by whose sign a runtime finds where its operands meet. Empty: none.
+  std::string contacts;
+  location contacts_where;
 };
 
 struct algebra {

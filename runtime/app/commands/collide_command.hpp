@@ -22,7 +22,8 @@ struct collide_request {
   double tolerance = 0; // 0: no answer may be wrong
   io::read_options read_a, read_b;
   bool any = false, json = false;
-  std::optional<std::filesystem::path> pairs, first, colour, image;
+  std::optional<std::filesystem::path> pairs, first, contacts, colour, image;
+  bool contacts_float64 = false;
   std::vector<std::string> evaluate; // a formula and the file for its values, or none
   int threads = 0;
   int devices = 1;
