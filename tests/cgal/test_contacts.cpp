@@ -89,7 +89,7 @@ TEST_CASE("contacts: the points of all pairs with area are those of CGAL") {
         ++compared;
       }
       CHECK(different == 0);
-      CHECK(compared > 100);
+      CHECK((compared > 100) == (std::string(f.name) != "without area")); // which CGAL leaves undefined
     }
 }
 

@@ -77,7 +77,7 @@ private:
 
   MEETC_HD void go_round(unsigned *cycle) const {
     // The neighbours of each label; the one that follows it, where A's border tells.
-    int beside[most_labels][2], known[most_labels] = {};
+    int beside[most_labels][2] = {}, known[most_labels] = {};
     int from = -1, to = -1, x = 0, y = 0;
     const auto join = [&](int u, int v) {
       if (known[u] > 0 && (beside[u][0] == v || (known[u] > 1 && beside[u][1] == v)))
