@@ -97,7 +97,8 @@ const lang::kind *sides_of(const model &m, const request &r, bool is_sign) {
     if (p.contacts == f->name && is_sign)
       return r.kinds[0];
     else if (p.contacts == f->name)
-      throw spec_error(p.contacts_where, fmt::format("'{}' tells the contacts of {} and must be a sign", f->name, p.name));
+      throw spec_error(p.contacts_where,
+                       fmt::format("'{}' tells the contacts of {} and must be a sign", f->name, p.name));
   return nullptr;
 }
 

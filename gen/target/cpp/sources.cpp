@@ -41,8 +41,8 @@ std::string predicate_source(const emitted_predicate &p) {
                        info_function(p.kernel), p.name, rungs, p.kernel.asked.asked->name, p.kernel.asked.asked->mode,
                        order || contacts ? "meetc::predicate_info info = " : "return ");
     if (order)
-      out += fmt::format("  info.first_met = meetc::first_met<{}, {}_sign>;\n", p.name,
-                         identifier(order->asked.name()));
+      out +=
+          fmt::format("  info.first_met = meetc::first_met<{}, {}_sign>;\n", p.name, identifier(order->asked.name()));
     if (contacts)
       out += fmt::format("  info.contacts = meetc::guarded<meetc::contact_codes<{}_sign, {}>>;\n",
                          identifier(contacts->asked.name()), p.kernel.decision.inputs_a / 3);
