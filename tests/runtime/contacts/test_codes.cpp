@@ -84,7 +84,7 @@ TEST_CASE("a contact code has the labels of the definition, in order") {
   for (const int corners : {3, 2})
     for (const family &f : families(corners)) {
       CAPTURE(f.name, corners);
-      const tally t = compare(f, 700);
+      const tally t = compare(f, 400);
       CHECK(t.wrong == 0);
       CHECK(t.meeting >= 20); // the family says something
     }
@@ -94,8 +94,8 @@ TEST_CASE("planted mistakes are noticed") {
   std::size_t by_rounding = 0, by_borders = 0;
   for (const int corners : {3, 2})
     for (const family &f : families(corners)) {
-      by_rounding += compare(f, 100, mistake::rounds).wrong;
-      by_borders += compare(f, 100, mistake::closed).wrong;
+      by_rounding += compare(f, 60, mistake::rounds).wrong;
+      by_borders += compare(f, 60, mistake::closed).wrong;
     }
   CHECK(by_rounding > 0);
   CHECK(by_borders > 0);

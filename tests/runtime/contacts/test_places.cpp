@@ -68,8 +68,8 @@ TEST_CASE("coordinates are the exact ones, rounded once") {
   for (const int corners : {3, 2})
     for (const family &f : families(corners)) {
       CAPTURE(f.name, corners);
-      const auto single = compare<float>(f, 400);
-      const auto wide = compare<double>(f, 400);
+      const auto single = compare<float>(f, 200);
+      const auto wide = compare<double>(f, 200);
       CHECK(single.checked > 0);
       CHECK(single.wrong == 0);
       CHECK(wide.wrong == 0);
