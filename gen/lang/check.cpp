@@ -116,6 +116,8 @@ public:
       expression(*p.hit, s);
       calls_itself(p.name, p.where);
       check_meaning(a_, p);
+      if (!p.contacts.empty())
+        contacts_of(p);
     }
     for (const reading &r : a_.readings)
       reads(r);
@@ -131,6 +133,22 @@ private:
 
   static constexpr std::size_t most_nested = 500; // definitions within definitions; protects the stack
   static constexpr std::size_t most_stored = 1000;
+
+  void contacts_of(const predicate &p) {
+    const function *const f = a_.find_function(p.contacts);
+    if (!f) {
+      std::vector<std::string> known;
+      for (const function &other : a_.functions)
+        known.push_back(other.name);
+      throw spec_error(p.contacts_where, fmt::format("no function '{}'; functions: {}{}", p.contacts, join(known, ", "),
+                                                     nearest(p.contacts, known)));
+    }
+    if (f->params.size() != 2)
+      throw spec_error(p.contacts_where,
+                       fmt::format("'{}' tells the contacts of {} and needs two arguments: the second operand, and a "
+                                   "point",
+                                   f->name, p.name));
+  }
 
   void add(const std::string &name, const location &where, const char *what) {
     if (const auto [it, fresh] = declared_.try_emplace(name, where); !fresh)

@@ -135,7 +135,7 @@ predicate read_predicate(const toml_reader &in, const toml::key &key, const toml
   need_name(p.name, p.where, "a predicate");
   const std::string what = "predicates." + p.name;
   const toml::table &t = in.as_table(node, what);
-  in.allow(t, what, {"of", "let", "reject", "hit", "mode", "means", "common"});
+  in.allow(t, what, {"of", "let", "reject", "hit", "mode", "means", "common", "contacts"});
   if (!t.contains("of") || !t.contains("hit"))
     throw spec_error(p.where, what + " needs 'of' and 'hit'");
   p.of = read_fields(in, *t.get("of"), what + ".of");
@@ -153,6 +153,10 @@ predicate read_predicate(const toml_reader &in, const toml::key &key, const toml
       throw spec_error(in.place(*mode), what + ".mode is 'solid' or 'surface'");
   }
   read_meaning(in, t, what, p);
+  if (const toml::node *contacts = t.get("contacts")) {
+    p.contacts = in.as_string(*contacts, what + ".contacts");
+    p.contacts_where = in.place(*contacts);
+  }
   return p;
 }
 

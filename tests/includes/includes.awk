@@ -25,9 +25,10 @@ BEGIN {
     may["gen", room] = 1 # the driver and main
   }
   # The runtime, in its order; each may include the kernel headers.
-  split("kernel/meetc/environment kernel/meetc/number kernel/meetc/table kernel/meetc/decide kernel/meetc" \
-        " kernel/meetc/simd kernel/meetc/volume kernel/meetc/cuda kernel/meetc/every_pair" \
+  split("kernel/meetc/environment kernel/meetc/number kernel/meetc/table kernel/meetc/decide" \
+        " kernel/meetc/contact kernel/meetc kernel/meetc/simd kernel/meetc/volume kernel/meetc/cuda kernel/meetc/every_pair" \
         " core/threads core/views core/hierarchy core/sets core/answers core/traversal core/cascade core/query core/world" \
+        " core/contacts" \
         " core/device/memory core/device/set core/device/walk core/device/answers core/device/query core/device" \
         " core/device/every_pair io/files io/text io/elements io/polygon io/mesh io python picture bodies" \
         " app/input app/text app/query app/output app/inspect app/world app/commands bench/peers bench/baselines bench/truth" \

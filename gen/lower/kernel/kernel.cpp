@@ -70,6 +70,38 @@ const lang::function *function_of(const model &m, const request &r) {
   return r.body->kind == lang::op::call ? m.spec().find_function(r.body->text) : nullptr;
 }
 
+// The number of points of which an element consists; 0: of other numbers too.
+int points_of(const model &m, const lang::kind &k) {
+  const kind_layout l = m.layout(k);
+  return l.reals.size() == std::size_t{3} * static_cast<std::size_t>(l.points) ? l.points : 0;
+}
+
+// Runtimes find contacts of two triangles, or of a segment and a triangle.
+void check_contacts(const model &m, const lang::predicate &p) {
+  const int first = points_of(m, m.kind(p.of[0].type, p.of[0].where)),
+            second = points_of(m, m.kind(p.of[1].type, p.of[1].where));
+  if ((first != 2 && first != 3) || second != 3)
+    throw spec_error(p.contacts_where,
+                     fmt::format("contacts are found of elements of two or three points and those of three, and {} "
+                                 "takes {} and {}",
+                                 p.name, p.of[0].type, p.of[1].type));
+}
+
+// The kind of the first operand of a function that tells contacts, if the kernel is one of a kind of three points and of a
+// point.
+const lang::kind *sides_of(const model &m, const request &r, bool is_sign) {
+  const lang::function *f = function_of(m, r);
+  if (!f || r.kinds.size() != 2 || points_of(m, *r.kinds[0]) != 3 || points_of(m, *r.kinds[1]) != 1)
+    return nullptr;
+  for (const lang::predicate &p : m.spec().predicates)
+    if (p.contacts == f->name && is_sign)
+      return r.kinds[0];
+    else if (p.contacts == f->name)
+      throw spec_error(p.contacts_where,
+                       fmt::format("'{}' tells the contacts of {} and must be a sign", f->name, p.name));
+  return nullptr;
+}
+
 // The predicate that the kernel's function orders, if the operands are of the form that runtimes order: two points, and a pair
 // of elements with three points each.
 const lang::predicate *ordered_by(const model &m, const request &r) {
@@ -77,15 +109,11 @@ const lang::predicate *ordered_by(const model &m, const request &r) {
   if (!f || f->orders.empty())
     return nullptr;
   const lang::predicate &p = *m.spec().find_predicate(f->orders);
-  const auto points = [&m](const lang::kind &k) {
-    const kind_layout l = m.layout(k);
-    return l.reals.size() == std::size_t{3} * static_cast<std::size_t>(l.points) ? l.points : 0;
-  };
   const lang::kind &first = m.kind(p.of[0].type, p.of[0].where), &second = m.kind(p.of[1].type, p.of[1].where);
   const std::vector<lang::field> &pair = r.kinds[1]->store;
   const bool fits =
       r.kinds[0] == &first && pair.size() == 2 && pair[0].type == second.name && pair[1].type == second.name;
-  if (!fits || points(first) != 2 || points(second) != 3)
+  if (!fits || points_of(m, first) != 2 || points_of(m, second) != 3)
     throw spec_error(
         f->orders_where,
         fmt::format("'{}' orders {} only as a function of its first operand, which has two points, and of a pair "
@@ -101,14 +129,18 @@ kernel compile(const model &m, const request &r) {
   out.asked = r;
   out.is_predicate = r.asked != nullptr;
   if (out.is_predicate) {
+    if (!r.asked->contacts.empty())
+      check_contacts(m, *r.asked);
     out.decision = compile_predicate(m, r);
   } else if (auto sign = compile_sign(m, r)) {
     out.is_predicate = out.is_sign = true;
     out.decision = std::move(*sign);
     out.orders = ordered_by(m, r);
+    out.sides_of = sides_of(m, r, true);
   } else {
     if (const lang::function *f = function_of(m, r); f && !f->orders.empty())
       throw spec_error(f->orders_where, fmt::format("'{}' orders {} and must be a sign", f->name, f->orders));
+    sides_of(m, r, false);
     out.value = compile_formula(m, r);
     check_constants(out.value.from_blades, r);
     check_constants(out.value.prepared, r);

@@ -29,6 +29,8 @@ std::vector<const lower::kernel *> predicates_of(const unit &u);
 // The sign by which a runtime orders the hits of this predicate; null: the scene does not ask for it, or not for certified
 // answers.
 const lower::kernel *order_of(const unit &u, const lower::kernel &predicate);
+// The sign by which a runtime finds where the operands of this predicate meet; null as above.
+const lower::kernel *contacts_of(const unit &u, const lower::kernel &predicate);
 // The kinds that predicates take, in the spec's order.
 std::vector<const lower::lowered_kind *> element_kinds(const unit &u);
 // The index of a kernel's operand among them.

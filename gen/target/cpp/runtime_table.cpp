@@ -26,6 +26,14 @@ const lower::kernel *order_of(const unit &u, const lower::kernel &predicate) {
   return at == u.kernels.end() ? nullptr : &*at;
 }
 
+const lower::kernel *contacts_of(const unit &u, const lower::kernel &predicate) {
+  const lang::predicate &p = *predicate.asked.asked;
+  const auto at = std::find_if(u.kernels.begin(), u.kernels.end(), [&](const lower::kernel &k) {
+    return k.sides_of == predicate.asked.kinds[1] && k.asked.body->text == p.contacts && u.asks(lang::rung::certified);
+  });
+  return p.contacts.empty() || at == u.kernels.end() ? nullptr : &*at;
+}
+
 std::vector<const lower::lowered_kind *> element_kinds(const unit &u) {
   std::vector<const lower::lowered_kind *> out;
   for (const lower::lowered_kind &k : u.kinds)

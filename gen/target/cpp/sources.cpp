@@ -14,9 +14,15 @@ std::string predicate_source(const emitted_predicate &p) {
   const std::string space = identifier(p.of.scene.space), name = p.kernel.asked.name();
   std::string out = banner(p.of.scene, fmt::format("The parts of {} that only few pairs need.", p.kernel.asked.text));
   const lower::kernel *const order = p.kernel.is_sign ? nullptr : order_of(p.of, p.kernel);
+  const lower::kernel *const contacts = p.kernel.is_sign ? nullptr : contacts_of(p.of, p.kernel);
   out += "#include <meetc/simd/table_functions.hpp>\n";
   if (order)
-    out += fmt::format("#include <meetc/decide/first_met.hpp>\n\n#include <{}/{}.hpp>", space, order->asked.name());
+    out += "#include <meetc/decide/first_met.hpp>\n";
+  if (contacts)
+    out += "#include <meetc/contact/contact.hpp>\n";
+  for (const lower::kernel *const k : {order, contacts})
+    if (k)
+      out += fmt::format("\n#include <{}/{}.hpp>", space, k->asked.name());
   out += fmt::format("\n#include <{0}/{1}.hpp>\n#include <{0}/detail/{1}_later.hpp>\n\nMEETC_NAMESPACE({0}) {{\n\n",
                      space, name);
   out += out_of_line(p, "");
@@ -33,10 +39,15 @@ std::string predicate_source(const emitted_predicate &p) {
                        "    int number_b) {{\n"
                        "  {5}meetc::info_of<{1}, {2}>(\"{3}\", \"{4}\", a, b, number_a,\n      number_b);\n",
                        info_function(p.kernel), p.name, rungs, p.kernel.asked.asked->name, p.kernel.asked.asked->mode,
-                       order ? "meetc::predicate_info info = " : "return ");
+                       order || contacts ? "meetc::predicate_info info = " : "return ");
     if (order)
-      out += fmt::format("  info.first_met = meetc::first_met<{}, {}_sign>;\n  return info;\n", p.name,
-                         identifier(order->asked.name()));
+      out +=
+          fmt::format("  info.first_met = meetc::first_met<{}, {}_sign>;\n", p.name, identifier(order->asked.name()));
+    if (contacts)
+      out += fmt::format("  info.contacts = meetc::guarded<meetc::contact_codes<{}_sign, {}>>;\n",
+                         identifier(contacts->asked.name()), p.kernel.decision.inputs_a / 3);
+    if (order || contacts)
+      out += "  return info;\n";
     out += "}\n} // namespace detail\n";
   }
   return out + fmt::format("\n}} // namespace {}\n", space);

@@ -4,6 +4,7 @@
 #include "meet/app/input/input_options.hpp"
 #include "meet/app/input/kinds.hpp"
 #include "meet/app/input/sets.hpp"
+#include "meet/app/output/contact_files.hpp"
 #include "meet/app/output/output_files.hpp"
 #include "meet/app/output/paint.hpp"
 #include "meet/app/output/pair_values.hpp"
@@ -27,14 +28,22 @@ namespace fs = std::filesystem;
 namespace {
 
 void check_outputs(const collide_request &q, output_files &outputs) {
-  if (q.any && (q.pairs || q.first || q.colour || q.image || !q.evaluate.empty()))
+  if (q.any && (q.pairs || q.first || q.contacts || q.colour || q.image || !q.evaluate.empty()))
     throw failure(
-        "--any stops at the first pair and keeps none; --pairs, --first, --evaluate, --color and --image need "
-        "them all");
+        "--any stops at the first pair and keeps none; --pairs, --first, --contacts, --evaluate, --color and --image "
+        "need them all");
   if (q.first && q.tolerance > 0)
     throw failure("--first is exact and goes with no --tolerance");
+  if (q.contacts && q.tolerance > 0)
+    throw failure("--contacts are exact and go with no --tolerance");
+  if (q.contacts_float64 && !q.contacts)
+    throw failure("--contacts-float64: the file is missing; write --contacts out.obj as well");
   if (q.pairs)
     outputs.expect(*q.pairs);
+  if (q.contacts) {
+    outputs.expect(*q.contacts);
+    check_contact_file(*q.contacts);
+  }
   if (q.first)
     outputs.expect(*q.first);
   if (!q.evaluate.empty())
@@ -82,6 +91,11 @@ void write_all(const collide_request &q, const std::optional<formula_choice> &fo
   };
   write_list(q.pairs, report.found.list);
   write_list(q.first, report.found.first);
+  if (q.contacts) {
+    report.contacts =
+        write_contacts(*q.contacts, q.contacts_float64, report.a, report.b, report.asked, report.found, outputs);
+    report.written.push_back(q.contacts->string());
+  }
   if (formula) {
     const fs::path values = q.evaluate[1];
     outputs.write(values, [&](const fs::path &to) {
@@ -126,6 +140,9 @@ printed collide(const catalogue &all, const collide_request &q) {
   h.box = all.box;
   h.any = q.any;
   h.keep = q.pairs.has_value() || !q.evaluate.empty();
+  h.elements = q.contacts.has_value();
+  if (h.elements)
+    require_contacts(*h.by.predicate);
   h.first = q.first.has_value();
   h.threads = q.threads;
   h.devices = q.devices;
@@ -139,19 +156,9 @@ printed collide(const catalogue &all, const collide_request &q) {
   if (const std::string warning = box_warning(h, found); !warning.empty())
     std::fprintf(stderr, "meet: %s\n", warning.c_str());
 
-  collide_report report{q.a.string(),
-                        q.b.string(),
-                        a,
-                        b,
-                        h,
-                        found,
-                        same_file,
-                        moved_a,
-                        moved_b,
-                        read.count(),
-                        name_of(all.compiled_for),
-                        {},
-                        {}};
+  collide_report report{
+      q.a.string(), q.b.string(), a, b, h, found, same_file, moved_a, moved_b, read.count(), name_of(all.compiled_for),
+      {},           {},           {}};
   write_all(q, formula, outputs, report);
   return {q.json ? as_json(report) : summary(report), q.fail_on_touch && found.pairs > 0 ? check_failed : done};
 }

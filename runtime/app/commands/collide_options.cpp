@@ -51,6 +51,7 @@ void check_self(const arguments &args) {
                                                  {"--tolerance", args.tolerance.has_value()},
                                                  {"--any", q.any},
                                                  {"--first", q.first.has_value()},
+                                                 {"--contacts", q.contacts.has_value()},
                                                  {"--evaluate", !q.evaluate.empty()}};
   for (const auto &[name, there] : other)
     if (there)
@@ -127,6 +128,14 @@ void add_answers(CLI::App &c, arguments &to) {
        "point to its second (of several at one point, the one with the least index), sorted like --pairs. The order "
        "is exact, among the triangles that the precision finds")
       ->type_name("out.csv");
+  c.add_option(
+       "--contacts", q.contacts,
+       "Write where the pairs of triangles, or of segments and triangles, meet: .csv, a row for each corner of a "
+       "pair's contact; .obj or .ply, polylines and flat polygons; .json, all of it. Each coordinate is the exact "
+       "one, rounded once to float32")
+      ->type_name("out.csv|obj|ply|json");
+  c.add_flag("--contacts-float64", q.contacts_float64, "Round the coordinates of --contacts to float64")
+      ->disable_flag_override();
   c.add_option(
        "--evaluate", q.evaluate,
        "Write the value of a formula of the scene, such as 'norm2(meet(sphere, sphere))', for each pair, sorted "

@@ -138,6 +138,8 @@ std::string summary(const collide_report &r) {
     out += device_lines(f.by_device);
   for (const std::string &note : all_notes(r))
     out += note + "\n";
+  if (r.contacts)
+    out += fmt::format("contacts: {}; {:.3f} s\n", in_words(*r.contacts), r.contacts->seconds);
   for (const std::string &file : r.written)
     out += fmt::format("wrote {}\n", file);
   return out;

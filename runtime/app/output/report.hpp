@@ -2,9 +2,11 @@
 #ifndef MEETC_APP_OUTPUT_REPORT_HPP
 #define MEETC_APP_OUTPUT_REPORT_HPP
 
+#include "meet/app/output/contact_files.hpp"
 #include "meet/app/query/collide_sets.hpp"
 #include "meet/io/elements/element_set.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,7 @@ struct collide_report {
   const char *instruction_set = ""; // of the code that decides on the CPU
   std::vector<std::string> written; // files
   std::vector<std::string> notes;
+  std::optional<contact_counts> contacts = {}; // if they were asked for
 };
 
 // The notes on the files, on the choice of a processor, and on the files written.

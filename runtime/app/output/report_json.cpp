@@ -31,6 +31,8 @@ json seconds(const collide_report &r) {
   json out = {{"read", with_decimals(r.read_seconds, 6)},
               {"prepare", with_decimals(f.prepare_seconds, 6)},
               {"collide", with_decimals(f.collide_seconds, 6)}};
+  if (r.contacts)
+    out["contacts"] = with_decimals(r.contacts->seconds, 6);
   if (r.found.on == processor::cuda) {
     out["start"] = with_decimals(f.by_device.start_seconds, 6);
     out["device"] = with_decimals(f.by_device.device_seconds, 6);
@@ -55,6 +57,10 @@ std::string as_json(const collide_report &r) {
               {"seconds", seconds(r)},
               {"predicate", r.asked.by.predicate->name},
               {"mode", r.asked.by.predicate->mode}};
+  if (const auto &c = r.contacts)
+    out["contacts"] = {{"nodes", c->nodes},      {"pieces", c->pieces},   {"polylines", c->polylines},
+                       {"closed", c->closed},    {"patches", c->patches}, {"single_nodes", c->single_nodes},
+                       {"embedded", "unchecked"}};
   if (r.asked.tolerance > 0) {
     out["tolerance"] = r.asked.tolerance;
     out["grid"] = r.asked.grid;

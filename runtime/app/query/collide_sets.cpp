@@ -54,21 +54,44 @@ result find_on_device(const ordered &o, const query &q, const collide_options &o
   return std::move(d.found);
 }
 
+// Turns pairs of elements, and what elements meet first, into those of their items.
+void take_items(const ordered &o, result &r) {
+  if (o.first.owner.empty() && o.second.owner.empty())
+    return;
+  name_items(o.second.owner, r.first_met);
+  for (index_pair &p : r.pairs)
+    p = {static_cast<std::uint32_t>(o.first.owner_of(p.a)), static_cast<std::uint32_t>(o.second.owner_of(p.b))};
+  const auto key = [](const index_pair &p) { return std::pair(p.a, p.b); };
+  std::sort(r.pairs.begin(), r.pairs.end(), [&](const index_pair &x, const index_pair &y) { return key(x) < key(y); });
+  r.pairs.erase(std::unique(r.pairs.begin(), r.pairs.end(),
+                            [&](const index_pair &x, const index_pair &y) { return key(x) == key(y); }),
+                r.pairs.end());
+  r.count = r.pairs.size();
+}
+
 void find_on(processor on, const ordered &o, const query &q, answers &out) {
   out.on = on;
   collide_options options;
-  options.want = q.any ? answer_kind::any : q.keep ? answer_kind::pairs : answer_kind::flags;
+  options.want = q.any ? answer_kind::any : q.keep || q.elements ? answer_kind::pairs : answer_kind::flags;
   options.first_met = q.first;
   options.threads = q.threads;
   options.box = q.box;
   options.progress = q.progress;
-  options.owner_a = o.first.owner;
-  options.owner_b = o.second.owner;
+  if (!q.elements) {
+    options.owner_a = o.first.owner;
+    options.owner_b = o.second.owner;
+  }
+  if (q.elements && q.first)
+    require_first_met(*q.by.predicate, options.want, true, o.first.owner);
   result r = out.on == processor::cuda ? find_on_device(o, q, options, out) : find_on_cpu(o, q, options, out);
+  if (q.elements) {
+    out.element_pairs = r.pairs;
+    take_items(o, r);
+  }
   out.pairs = r.count;
   out.candidates = r.candidates;
   out.rungs = r.rungs;
-  if (q.keep)
+  if (q.keep || q.elements)
     r.flags = flags_of(r.pairs, o.first.items, o.second.items);
   o.first_answer.hit = std::move(r.flags.a);
   o.second_answer.hit = std::move(r.flags.b);

@@ -19,7 +19,8 @@ struct side_answer {
 };
 
 struct answers {
-  std::vector<index_pair> list; // of items, sorted by a, then b; empty unless `keep`
+  std::vector<index_pair> list;          // of items, sorted by a, then b; empty unless `keep`
+  std::vector<index_pair> element_pairs; // with query::elements: in the predicate's order, sorted likewise
   // With query::first: for each item of the predicate's first set that touches something, the pair that it meets first;
   // sorted likewise.
   std::vector<index_pair> first;
@@ -39,11 +40,12 @@ struct query {
   // An answer may be wrong only where moving one element by at most `tolerance` changes it; 0: never. For the sake of
   // the tolerance, numbers are rounded to multiples of `grid`.
   double tolerance = 0, grid = 0;
-  float box = 0;      // of the scene; 0: none
-  bool any = false;   // stop at the first pair
-  bool keep = false;  // keep the list of pairs; without it, and without polygons, memory does not grow with the pairs
-  bool first = false; // of each segment, the pair with the triangle that it meets first
-  int threads = 0;    // 0: all cores
+  float box = 0;     // of the scene; 0: none
+  bool any = false;  // stop at the first pair
+  bool keep = false; // keep the list of pairs; without it, and without polygons, memory does not grow with the pairs
+  bool elements = false;         // keep the list of pairs of elements as well, such as the triangles of polygons
+  bool first = false;            // of each segment, the pair with the triangle that it meets first
+  int threads = 0;               // 0: all cores
   processor on = processor::cpu; // best: the one that is expected to be the faster
   int devices = 1;               // the number of devices that share the query
   std::function<void(double fraction)> progress = {};

@@ -63,6 +63,11 @@ const broken keys[] = {
      "no predicate 'touches'; predicates: touch; did you mean 'touch'?", "'touches'", ""},
     {"'(B*B)[1]'", "{is = '(B*B)[1]', orders = 'touch'}", "a.toml:31:41",
      "'norm2' orders touch and needs two arguments: an element, and a pair of those that it meets", "'touch'", ""},
+    {"hit =", "contacts = 3\nhit =", "a.toml:40:12", "predicates.touch.contacts must be a string", "3", ""},
+    {"hit =", "contacts = 'sides'\nhit =", "a.toml:40:12",
+     "no function 'sides'; functions: norm2, side, meet; did you mean 'side'?", "'sides'", ""},
+    {"hit =", "contacts = 'norm2'\nhit =", "a.toml:40:12",
+     "'norm2' tells the contacts of touch and needs two arguments: the second operand, and a point", "'norm2'", ""},
 };
 
 const broken names[] = {

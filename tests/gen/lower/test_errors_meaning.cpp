@@ -139,6 +139,17 @@ const broken orders[] = {
     {"where = 'grade", "orders = 'touch'\nwhere = 'grade", "a.toml:36:10", "'meet' orders touch and must be a sign",
      "'touch'", "", "'meet(sphere, sphere)'"},
 };
+const broken contacts[] = {
+    {"hit =", "contacts = 'side'\nhit =", "a.toml:40:12",
+     "contacts are found of elements of two or three points and those of three, and touch takes sphere and sphere",
+     "'side'", "", "'touch'"},
+    {"[kinds.segment]",
+     "[kinds.triangle]\nstore = ['a: point', 'b: point', 'c: point']\nblade = 'a ^ b ^ c ^ n'\nhull = '[a, b, c]'\n"
+     "[predicates.cross]\nof = ['s: segment', 't: triangle']\nhit = 'side(t, s.p) == 0'\ncontacts = 'meet'\n"
+     "[kinds.segment]",
+     "a.toml:31:12", "'meet' tells the contacts of cross and must be a sign", "'meet'", "",
+     "'meet(triangle, point)'"},
+};
 } // namespace
 
 TEST_CASE("values of the wrong type") {
@@ -163,6 +174,9 @@ TEST_CASE("signs that are not homogeneous are refused where the exact rung needs
       {hit, "'S.c.x*S.c.x*S.c.x > S.c.y'", "s.toml:4:13", "by 2 numbers of the kind's own", "touch", in_touch, touch},
   };
   check_broken(rows);
+}
+TEST_CASE("contacts whose operands do not fit, and a value that is no sign") {
+  check_broken(contacts);
 }
 TEST_CASE("orders of hits whose operands do not fit") {
   check_broken(orders);

@@ -45,6 +45,18 @@ TEST_CASE("two scans that cross", "[data]") {
   }
 }
 
+TEST_CASE("the curves in which two scans meet", "[data]") {
+  if (!present("bunny_69k.ply") || !present("armadillo_345k.ply"))
+    return;
+  const json j = answer({data("armadillo_345k.ply"), data("bunny_69k.ply"), "--scale-b", "700", "--contacts", "c.obj"});
+  CHECK(j["pairs"] == 4762);
+  CHECK(j["contacts"]["pieces"] == 4762); // in general position each pair is one
+  CHECK(j["contacts"]["nodes"] == 4764);
+  CHECK(j["contacts"]["polylines"] == 9);
+  CHECK(j["contacts"]["closed"] == 7);
+  CHECK(j["contacts"]["single_nodes"] == 0);
+}
+
 TEST_CASE("a scan against itself", "[data]") {
   if (!present("bunny_69k.ply"))
     return;

@@ -121,6 +121,9 @@ struct predicate_info {
   // Which of two rows of b an element of a meets first on its way from its first point to its second, of rows that it meets:
   // -1, 1, or 0 for both at one point. It is exact, and a total order of any rows of b; null: not generated (first_met.hpp).
   int (*first_met)(const float *a, const float *b, const float *other) = nullptr;
+  // The contact codes of n pairs of rows (meetc/contact/code.hpp), which are exact; null: not generated.
+  void (*contacts)(const float *a, const float *b, const index_pair *pairs, std::size_t n,
+                   std::uint64_t *codes) = nullptr;
   // Whether the exact answer stays the same when all numbers are multiplied by one positive number.
   bool scales = true;
 };

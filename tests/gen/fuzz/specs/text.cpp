@@ -47,7 +47,7 @@ const std::vector<std::string> &words() {
       "and",     "or",       "not",        "exp",       "log",        "sqrt",      "pose",    "gives",    "norm",
       "real",    "store",    "blade",      "grades",    "where",      "hull",      "pad",     "position", "relations",
       "samples", "nearly",   "within",     "is",        "of",         "from",      "parts",   "let",      "reject",
-      "hit",     "mode",     "orders",     "vectors",   "squares",    "metric",    "null",    "import",   "extends",
+      "hit",     "mode",     "orders",     "contacts",  "vectors",   "squares",    "metric",    "null",    "import",   "extends",
       "spec",    "algebra",  "kinds",      "functions", "predicates", "constants", "scene",   "kernels",  "zero",
       "rungs",   "backends", "box",        "tolerance", "true",       "false",     "[[",      "]]",       "{",
       "}",       "meet",     "norm2"};

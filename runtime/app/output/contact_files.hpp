@@ -1,0 +1,36 @@
+// app/output/contact_files.hpp: where touching pairs meet, as a table, as lines and polygons, or as JSON.
+//
+// .csv: a row for each corner of each pair's contact, in the order of the pairs, with the columns a, b (the file's items),
+// triangle_a or triangle_b where a file's polygons were cut, node, x, y, z, on_a and on_b. Rows of one node have one number.
+// .obj and .ply: the nodes as vertices, polylines as lines or edges (a closed one comes back to its first node), and patches as
+// faces; nodes on none of these are points, in .obj as `p`. .json: everything.
+// A node lies on "vertex V", "edge V W" or "face F" of each set: vertices as the file numbers them, from 0, or corner by corner
+// where it numbers none; of several vertices with equal coordinates one. Edges may be those between the triangles of a polygon.
+#ifndef MEETC_APP_OUTPUT_CONTACT_FILES_HPP
+#define MEETC_APP_OUTPUT_CONTACT_FILES_HPP
+
+#include "meet/app/output/output_files.hpp"
+#include "meet/app/query/collide_sets.hpp"
+
+namespace meetc::app {
+
+struct contact_counts {
+  std::size_t nodes = 0, pieces = 0, polylines = 0, closed = 0, patches = 0, single_nodes = 0;
+  double seconds = 0; // to find them, without writing
+};
+
+// Throws failure for a name with another extension, or a predicate without contacts.
+void check_contact_file(const std::filesystem::path &to);
+void require_contacts(const predicate_info &predicate);
+
+// Finds the contacts of found.element_pairs and writes them. float64: coordinates are rounded to it, and not to float32.
+contact_counts write_contacts(const std::filesystem::path &to, bool float64, const io::element_set &a,
+                              const io::element_set &b, const query &asked, const answers &found,
+                              output_files &outputs);
+
+// "4,764 nodes, 4,762 pieces, 9 polylines (7 closed)"
+std::string in_words(const contact_counts &counts);
+
+} // namespace meetc::app
+
+#endif

@@ -1,0 +1,132 @@
+#include "meet/core/contacts/contacts.hpp"
+
+#include "meet/core/contacts/joining.hpp"
+#include "meet/core/contacts/names.hpp"
+#include "meet/core/contacts/numbered.hpp"
+#include "meet/core/threads/threads.hpp"
+#include "meet/core/views/check.hpp"
+#include "meet/core/views/rows.hpp"
+#include "meetc/contact/place.hpp"
+
+#include <chrono>
+#include <stdexcept>
+
+namespace meetc {
+namespace {
+
+constexpr std::size_t pairs_at_once = 256, nodes_at_once = 512;
+
+void require(bool holds, const std::string &what) {
+  if (!holds)
+    throw std::invalid_argument("contacts: " + what);
+}
+void require_set(const view &elements, const kind_info &kind, const pose &at) {
+  const char *const wrong = wrong_with(elements, kind);
+  require(wrong == nullptr, wrong ? wrong : "");
+  const status s = movable(kind, at);
+  require(s == status::ok, text(s));
+}
+
+template <class Real> class finding {
+public:
+  finding(const predicate_info &predicate, std::span<const index_pair> pairs, int threads)
+      : predicate_(predicate), threads_(thread_count(threads)) {
+    out_.pairs.assign(pairs.begin(), pairs.end());
+  }
+
+  contact_set<Real> run(const view &a, const view &b, const contact_options &options) {
+    out_.rows_a = touched_by(a, *predicate_.a, options.at_a, out_.pairs, false, in_a_);
+    out_.rows_b = touched_by(b, *predicate_.b, options.at_b, out_.pairs, true, in_b_);
+    find_codes();
+    name_nodes();
+    place_nodes();
+    joined_contacts j = join_contacts(out_.codes, out_.corners, out_.nodes());
+    out_.pieces = std::move(j.pieces);
+    out_.polylines = std::move(j.polylines);
+    out_.closed = std::move(j.closed);
+    out_.patches = std::move(j.patches);
+    out_.patch_pairs = std::move(j.patch_pairs);
+    out_.single_nodes = std::move(j.single_nodes);
+    return std::move(out_);
+  }
+
+private:
+  const predicate_info &predicate_;
+  int threads_;
+  contact_set<Real> out_;
+  std::vector<std::uint32_t> in_a_, in_b_; // by pair: rows
+
+  void find_codes() {
+    out_.codes.resize(out_.pairs.size());
+    for_chunks(threads_, out_.pairs.size(), pairs_at_once, [&](int, std::size_t begin, std::size_t end) {
+      index_pair rows[pairs_at_once];
+      for (std::size_t i = begin; i < end; ++i)
+        rows[i - begin] = {in_a_[i], in_b_[i]};
+      predicate_.contacts(out_.rows_a.rows.data(), out_.rows_b.rows.data(), rows, end - begin,
+                          out_.codes.data() + begin);
+    });
+  }
+
+  void name_nodes() {
+    const part_names names_a(out_.rows_a), names_b(out_.rows_b);
+    numbered<std::uint64_t, 2> nodes(2 * out_.pairs.size());
+    for (std::size_t i = 0; i < out_.pairs.size(); ++i) {
+      const contact_code code(out_.codes[i]);
+      for (int l = 0; l < code.labels(); ++l) {
+        const unsigned label = code.label(l);
+        const std::uint32_t node =
+            nodes.number({names_a.name(in_a_[i], label_a(label)), names_b.name(in_b_[i], label_b(label))});
+        out_.corners.nodes.push_back(node);
+        if (node == out_.sources.size())
+          add_node(i, label);
+      }
+      out_.corners.end_list();
+    }
+  }
+  void add_node(std::size_t pair, unsigned label) {
+    out_.sources.push_back({in_a_[pair], in_b_[pair], label});
+    const auto part = [](std::uint32_t element, int carrier, int corners) {
+      return element_part{element, static_cast<std::uint8_t>(carrier_dimension(carrier, corners)),
+                          static_cast<std::uint8_t>(carrier)};
+    };
+    out_.on_a.push_back(part(out_.pairs[pair].a, label_a(label), out_.rows_a.corners));
+    out_.on_b.push_back(part(out_.pairs[pair].b, label_b(label), out_.rows_b.corners));
+  }
+
+  void place_nodes() {
+    out_.points.resize(3 * out_.sources.size());
+    for_chunks(threads_, out_.sources.size(), nodes_at_once, [&](int, std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) {
+        const node_source &s = out_.sources[n];
+        place_label<Real>(element(out_.rows_a, s.a), element(out_.rows_b, s.b), s.label, out_.points.data() + 3 * n);
+      }
+    });
+  }
+  static contact_element element(const touched_rows &of, std::uint32_t row) {
+    return {of.rows.data() + std::size_t{3} * static_cast<std::size_t>(of.corners) * row, of.corners};
+  }
+};
+
+} // namespace
+
+template <class Real>
+contact_set<Real> contacts(const view &a, const view &b, const predicate_info &predicate,
+                           std::span<const index_pair> pairs, const contact_options &options) {
+  return under_standard_word([&] {
+    const auto start = std::chrono::steady_clock::now();
+    require(predicate.contacts != nullptr,
+            std::string(predicate.name) + " has none: its scene asks for no sign that its `contacts` names");
+    require_set(a, *predicate.a, options.at_a);
+    require_set(b, *predicate.b, options.at_b);
+    contact_set<Real> out = finding<Real>(predicate, pairs, options.threads).run(a, b, options);
+    out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return out;
+  });
+}
+
+template contact_set<float> contacts(const view &, const view &, const predicate_info &, std::span<const index_pair>,
+                                     const contact_options &);
+template contact_set<double> contacts(const view &, const view &, const predicate_info &, std::span<const index_pair>,
+                                      const contact_options &);
+
+} // namespace meetc

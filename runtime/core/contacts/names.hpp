@@ -1,0 +1,29 @@
+// core/contacts/names.hpp: the elements of some pairs, and the names of their vertices, edges and faces.
+#ifndef MEETC_CORE_CONTACTS_NAMES_HPP
+#define MEETC_CORE_CONTACTS_NAMES_HPP
+
+#include "meet/core/contacts/contacts.hpp"
+
+namespace meetc {
+
+// The elements of one side of the pairs, as rows in the order of the elements. `in`: by pair, the element's row.
+touched_rows touched_by(const view &elements, const kind_info &kind, const pose &at, std::span<const index_pair> pairs,
+                        bool side_b, std::vector<std::uint32_t> &in);
+
+// The vertices of the rows, and the first row with the same three.
+class part_names {
+public:
+  explicit part_names(const touched_rows &of);
+
+  // Two parts of rows have one name if and only if they have the same vertices.
+  std::uint64_t name(std::uint32_t row, int carrier) const;
+
+private:
+  const touched_rows &of_;
+  std::vector<std::uint32_t> vertices_; // of each row
+  std::vector<std::uint32_t> first_;    // by row: the first one with the same vertices
+};
+
+} // namespace meetc
+
+#endif

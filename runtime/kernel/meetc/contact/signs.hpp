@@ -1,0 +1,77 @@
+// The signs from which contacts are found, all of them from one emitted sign: on which side of a plane a point lies.
+//
+// det(a, b, c, d) = [b-a, c-a, d-a]. With d = a but for coordinate k it is (d-a)_k times component k of (b-a) x (c-a), which
+// gives the turn of three points along an axis from the same sign, and without rounding.
+#ifndef MEETC_CONTACT_SIGNS_HPP
+#define MEETC_CONTACT_SIGNS_HPP
+
+#include <meetc/contact/code.hpp>
+#include <meetc/decide/first_stages.hpp>
+#include <meetc/decide/later_rungs.hpp>
+
+MEETC_NAMESPACE(meetc) {
+
+// `Side` is the emitted sign of (triangle, point): a multiple of det.
+template <class Side> struct contact_signs {
+  static_assert(Side::inputs_a == 9 && Side::inputs_b == 3 && Side::atoms == 1);
+
+  // Exact, under the standard word.
+  MEETC_HD static int side(const float *triangle, const float *d) { return factor * emitted(triangle, d); }
+  MEETC_HD static int det(const float *a, const float *b, const float *c, const float *d) {
+    float row[9];
+    for (int k = 0; k < 3; ++k)
+      row[k] = a[k], row[3 + k] = b[k], row[6 + k] = c[k];
+    return side(row, d);
+  }
+  MEETC_HD static int turn(int axis, const float *a, const float *b, const float *c) {
+    float d[3] = {a[0], a[1], a[2]};
+    d[axis] = a[axis] == 0 ? 1.0F : 0.0F;
+    return d[axis] > a[axis] ? det(a, b, c, d) : -det(a, b, c, d);
+  }
+
+private:
+  // The sign of the factor, by a tetrahedron with det = 1.
+  MEETC_HD static constexpr int convention() {
+    const std::int64_t triangle[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, point[3] = {0, 0, 1};
+    std::int64_t value[1] = {0};
+    stage_values<typename Side::common_stage>(triangle, point, value);
+    const sign s[1] = {value[0] > 0 ? sign::positive : value[0] < 0 ? sign::negative : sign::zero};
+    return static_cast<int>(Side::value(s));
+  }
+  static constexpr int factor = convention();
+  static_assert(factor != 0, "the sign that tells contacts is not that of a plane and a point");
+
+  MEETC_HD static int emitted(const float *triangle, const float *d) {
+    if (standard_environment()) {
+      const sign_set known = certify_sign_here<Side, in_fp32>(after_check(triangle), after_check(d));
+      if (is_known(known))
+        return before_return(static_cast<int>(known_sign(known)));
+    }
+#if !defined(__CUDA_ARCH__)
+    return static_cast<int>(Side::after_fp32(triangle, d));
+#else
+    return static_cast<int>(later_rungs_sign<Side>(triangle, d));
+#endif
+  }
+};
+
+MEETC_HD constexpr int next_corner(int i) {
+  return i == 2 ? 0 : i + 1;
+}
+
+// The carrier of a triangle by three signs, one for each edge, of a point or a line: none (-1) where both signs occur, and
+// else the carrier on whose edges they are 0.
+MEETC_HD constexpr int carrier_by_edges(int w0, int w1, int w2) {
+  const bool above = w0 > 0 || w1 > 0 || w2 > 0, below = w0 < 0 || w1 < 0 || w2 < 0;
+  if (above && below)
+    return -1;
+  if (w0 != 0 && w1 != 0 && w2 != 0)
+    return open_face;
+  if (w0 == 0)
+    return w2 == 0 ? 0 : w1 == 0 ? 1 : first_edge;
+  return w1 != 0 ? first_edge + 2 : w2 == 0 ? 2 : first_edge + 1;
+}
+
+} // MEETC_NAMESPACE(meetc)
+
+#endif
