@@ -26,7 +26,7 @@ std::string text_of(const lower::multivector &v, const lower::metric &basis) {
   for (const auto &[at, c] : v.terms())
     all.insert(at);
   std::string out;
-  for (const lower::blade at : lower::sorted_blades(all))
+  for (const lower::blade at : lower::sorted_blades(basis, all))
     out += v.is_scalar() ? text_of(v.find(at)->constant()) + '\n'
                          : fmt::format("{:<16} {}\n", basis.name(at), text_of(v.find(at)->constant()));
   return out;

@@ -209,7 +209,7 @@ value expander::name(const lang::expr &e, const environment &env) {
     for (const std::string &v : named) {
       lang::expr one = e;
       one.text = v;
-      m = algebra::outer(m, evaluate_multivector(one, {}));
+      m = algebra::outer(*basis_, m, evaluate_multivector(one, {}));
     }
     return {m};
   }
