@@ -54,7 +54,6 @@ scene load_scene(const std::string &path, const backend_choice &backends, const 
   load_algebra(find_algebra(in.place(*t.get("algebra")), algebra_path, search), s.in, s.files, search);
   for (const toml::node &item : in.as_array(*t.get("kernels"), "scene.kernels"))
     s.kernels.push_back({in.as_expression(item, "each item of scene.kernels"), in.place(item)});
-  s.analytic = take_analytic(s.in, s.kernels);
   if (const toml::node *kinds = t.get("kinds"))
     for (const toml::node &item : in.as_array(*kinds, "scene.kinds")) {
       const std::string name = in.as_string(item, "each item of scene.kinds");
@@ -74,6 +73,7 @@ scene load_scene(const std::string &path, const backend_choice &backends, const 
     for (const toml::node &item : in.as_array(*node_of, std::string("scene.") + key)) {
       const std::string value = in.as_string(item, std::string("each item of scene.") + key);
       if (std::find(known.begin(), known.end(), value) == known.end())
+  take_analytic(s);
         throw spec_error(in.place(item), fmt::format("no '{}' in {}; known: {}", value, key, join(known, ", ")));
       if (std::find(out.begin(), out.end(), value) != out.end())
         throw spec_error(in.place(item), fmt::format("'{}' is given twice", value));
