@@ -23,6 +23,17 @@ double box_size(const toml_reader &in, const toml::node &node) {
   return v;
 }
 
+// A kernel that the algebra may have: for a hint.
+std::string some_kernel(const algebra &a) {
+  if (!a.predicates.empty())
+    return a.predicates.front().name;
+  const std::string kind = a.kinds.empty() ? "KIND" : a.kinds.front().name;
+  return a.functions.empty()
+             ? '~' + kind
+             : fmt::format("{}({})", a.functions.front().name,
+                           join(std::vector<std::string>(a.functions.front().params.size(), kind), ", "));
+}
+
 } // namespace
 
 scene load_scene(const std::string &path, const backend_choice &backends, const std::vector<std::string> &search) {
@@ -62,6 +73,7 @@ scene load_scene(const std::string &path, const backend_choice &backends, const 
                                                      nearest(name, s.in.kind_names())));
       s.kinds.push_back({name, name, in.place(item)});
     }
+  take_analytic(s);
   if (const toml::node *zero = t.get("zero"))
     for (const toml::node &item : in.as_array(*zero, "scene.zero"))
       s.zero.push_back({in.as_expression(item, "each item of scene.zero"), in.place(item)});
@@ -73,7 +85,6 @@ scene load_scene(const std::string &path, const backend_choice &backends, const 
     for (const toml::node &item : in.as_array(*node_of, std::string("scene.") + key)) {
       const std::string value = in.as_string(item, std::string("each item of scene.") + key);
       if (std::find(known.begin(), known.end(), value) == known.end())
-  take_analytic(s);
         throw spec_error(in.place(item), fmt::format("no '{}' in {}; known: {}", value, key, join(known, ", ")));
       if (std::find(out.begin(), out.end(), value) != out.end())
         throw spec_error(in.place(item), fmt::format("'{}' is given twice", value));
@@ -101,6 +112,12 @@ scene load_scene(const std::string &path, const backend_choice &backends, const 
   if (t.contains("box"))
     s.box = box_size(in, *t.get("box"));
   s.backends = choices("backends", backends.known, backends.unless_said);
+  if (s.kernels.empty() && s.analytic.empty() && s.zero.empty())
+    throw spec_error(
+        in.place(*t.get("kernels")),
+        fmt::format("scene.kernels is empty, so nothing would be emitted; name predicates, or functions of "
+                    "kinds, as in kernels = ['{}']",
+                    some_kernel(s.in)));
   return s;
 }
 
