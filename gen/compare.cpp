@@ -164,12 +164,24 @@ times compile_files(const std::vector<target::file> &files, const std::string &s
   return out;
 }
 
-scene_figures figures_of(const std::string &scene, const compare_options &o, const published_counts &beside,
-                         std::vector<formula_cost> &formulas) {
+// The names of scenes: the stems of their files, and the paths as the user wrote them where stems are equal.
+std::vector<std::string> names_of(const std::vector<std::string> &scenes) {
+  const auto stem = [](const std::string &path) { return fs::path(path).stem().string(); };
+  std::vector<std::string> out;
+  for (const std::string &path : scenes) {
+    const auto alike = std::count_if(scenes.begin(), scenes.end(),
+                                     [&](const std::string &other) { return stem(other) == stem(path); });
+    out.push_back(alike > 1 ? path : stem(path));
+  }
+  return out;
+}
+
+scene_figures figures_of(const std::string &scene, const std::string &name, const compare_options &o,
+                         const published_counts &beside, std::vector<formula_cost> &formulas) {
   compilation c = load(scene, o.algebra_path);
   compile_all(c);
   scene_figures out;
-  out.name = c.scene->name;
+  out.name = name;
   out.kernels = c.kernels.size();
   for (const lower::kernel &k : c.kernels)
     count_kernel(k, out);
@@ -256,8 +268,9 @@ int compare_scenes(const compare_options &o) {
   const published_counts beside = o.beside.empty() ? published_counts{} : read_published(o.beside);
   std::vector<scene_figures> all;
   std::vector<formula_cost> formulas; // of all scenes
-  for (const std::string &scene : o.scenes)
-    all.push_back(figures_of(scene, o, beside, formulas));
+  const std::vector<std::string> names = names_of(o.scenes);
+  for (std::size_t i = 0; i < o.scenes.size(); ++i)
+    all.push_back(figures_of(o.scenes[i], names[i], o, beside, formulas));
   require_asked(beside, formulas);
   say(table_of(all, o));
   for (const scene_figures &f : all)
@@ -266,10 +279,9 @@ int compare_scenes(const compare_options &o) {
   if (std::any_of(all.begin(), all.end(), [](const scene_figures &f) { return !f.nanoseconds.empty(); }))
     say('\n' + times_of(all));
   if (o.kernels) {
-    std::vector<std::string> names;
     std::vector<std::vector<kernel_figures>> each;
     for (scene_figures &f : all)
-      names.push_back(f.name), each.push_back(std::move(f.each));
+      each.push_back(std::move(f.each));
     say('\n' + in_columns(kernel_rows(names, each), false));
   }
   return 0;

@@ -1,4 +1,5 @@
 #include "gen/driver.hpp"
+#include "gen/lower/kernel/value_names.hpp"
 #include "gen/lower/kernel/wildcard.hpp"
 #include "gen/lower/predicate/degrees.hpp"
 #include "gen/lower/predicate/settled.hpp"
@@ -93,6 +94,7 @@ void add_forms(const lower::model &m, target::unit &u, const target::target &t) 
 compiled_kernel compile(const compilation &c, const lower::request &r) {
   compiled_kernel out{lower::compile(*c.model, r), std::nullopt};
   passes::run(out.kernel);
+  lower::name_values(*c.model, out.kernel);
   if (!out.kernel.is_predicate || !asks_bounds(*c.scene))
     return out;
   out.bounds = bound::analyse(lower::subject_of(out.kernel.decision));

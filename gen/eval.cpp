@@ -19,15 +19,6 @@ std::string text_of(const rational &q) {
   return fmt::format("{} = {}", q.get_str(), d == 0 ? fmt::format("{}0", sgn(q) < 0 ? "-" : "") : fmt::format("{}", d));
 }
 
-lower::value operand(const lower::model &m, const poly::ring &none, const lang::kind &k,
-                     const std::vector<rational> &numbers, std::size_t &next) {
-  auto o = std::make_shared<lower::object>(lower::object{&k, {}, nullptr});
-  for (const lang::field &f : k.store)
-    o->fields.push_back(f.type == "real" ? lower::value{lower::multivector(0, poly::poly(none, numbers[next++]))}
-                                         : operand(m, none, *m.spec().find_kind(f.type), numbers, next));
-  return {std::shared_ptr<const lower::object>(std::move(o))};
-}
-
 std::string text_of(const lower::multivector &v, const lower::metric &basis) {
   if (v.is_zero())
     return "0\n";
@@ -35,7 +26,7 @@ std::string text_of(const lower::multivector &v, const lower::metric &basis) {
   for (const auto &[at, c] : v.terms())
     all.insert(at);
   std::string out;
-  for (const lower::blade at : lower::sorted_blades(all))
+  for (const lower::blade at : lower::sorted_blades(basis, all))
     out += v.is_scalar() ? text_of(v.find(at)->constant()) + '\n'
                          : fmt::format("{:<16} {}\n", basis.name(at), text_of(v.find(at)->constant()));
   return out;
@@ -52,8 +43,8 @@ int eval(const eval_options &o) {
   of.allow_bits(1 << 20); // exact numbers may be long
   lower::environment env;
   for (const given_operand &g : given_operands(*c.model, o.with)) {
-    std::size_t next = 0;
-    env.emplace_back(g.name, operand(*c.model, none, *g.kind, g.numbers, next));
+    auto next = g.numbers.begin();
+    env.emplace_back(g.name, of.operand(*g.kind, [&next] { return *next++; }));
   }
   const lower::value v = of.evaluate(*e, env);
   if (const auto *sign = std::get_if<lower::sign_value>(&v.is))

@@ -140,28 +140,33 @@ int generate(const generate_options &o) {
   const std::string space = target::identifier(c.scene->space);
   if (o.check) {
     const strays left = find_strays(out, out, space, files);
-    int differences = 0;
-    const auto report = [&](const std::string &path, const char *what) {
-      say(fmt::format("{}: {}\n", path, what));
-      ++differences;
-    };
+    std::size_t wrong = 0; // of the files that the scene emits
+    const auto report = [](const std::string &path, const char *what) { say(fmt::format("{}: {}\n", path, what)); };
     for (const target::file &f : files) {
       const auto present = read(out / f.path);
       if (!present)
         report((out / f.path).generic_string(), "missing");
       else if (*present != f.text)
         report((out / f.path).generic_string(), "differs from what the spec gives");
+      wrong += !present || *present != f.text;
     }
-    for (const auto &list : {left.ours, left.foreign})
-      for (const fs::path &p : list)
-        report(p.generic_string(), "stray: the scene does not emit it");
-    if (differences)
-      say(fmt::format("{} of {} files are up to date; run: meetc generate {} -o {}\n",
-                      files.size() - static_cast<std::size_t>(std::min<std::ptrdiff_t>(differences, std::ssize(files))),
-                      files.size(), o.scene, o.out));
-    else if (!o.quiet)
-      say(fmt::format("{} files up to date\n", files.size()));
-    return differences ? 1 : 0;
+    for (const fs::path &p : left.ours)
+      report(p.generic_string(), "stray: the scene emits it no more, and generating removes it");
+    for (const fs::path &p : left.foreign)
+      report(p.generic_string(), "stray: the scene does not emit it, and generating leaves it alone");
+    const std::size_t strays = left.ours.size() + left.foreign.size();
+    if (wrong + strays == 0) {
+      if (!o.quiet)
+        say(fmt::format("{} files up to date\n", files.size()));
+      return 0;
+    }
+    const bool run = wrong + left.ours.size() > 0; // which mends that
+    say(fmt::format("{} of {} files are up to date{}{}\n", files.size() - wrong, files.size(),
+                    strays ? fmt::format(", {} stray", strays) : "",
+                    run ? fmt::format("; run: meetc generate {}{}{}", o.scene, o.out.empty() ? "" : " -o " + o.out,
+                                      o.kernel_headers ? "" : " --no-kernel-headers")
+                        : ""));
+    return 1;
   }
   // Anything that would prevent writing is found before the first file is written.
   for (const target::file &f : files)

@@ -88,30 +88,31 @@ template <class C> multivector<C> inner(const metric &m, const multivector<C> &a
   return product(m, a, b, [](blade x, blade y, blade z) { return grade(z) == grade(y) - grade(x); });
 }
 
-template <class C> multivector<C> outer(const multivector<C> &a, const multivector<C> &b) {
+template <class C> multivector<C> outer(const metric &m, const multivector<C> &a, const multivector<C> &b) {
   multivector<C> out;
   for (const auto &[ba, ca] : a.terms())
     for (const auto &[bb, cb] : b.terms())
-      if (const int s = metric::outer_sign(ba, bb))
+      if (const int s = m.outer_sign(ba, bb))
         out.add(ba | bb, (ca * cb).scaled(s));
   return out;
 }
 
 // A linear change of basis, extended to blades as an outermorphism: image[i] is the image of basis vector i.
 template <class C>
-multivector<C> outermorphism(const multivector<C> &x, const std::vector<std::vector<rational>> &image) {
+multivector<C> outermorphism(const metric &from, const multivector<C> &x, const metric &to,
+                             const std::vector<std::vector<rational>> &image) {
   multivector<C> out;
   for (const auto &[at, c] : x.terms()) {
     std::map<blade, rational> sum{{0, 1}};
-    for (std::size_t i = 0; i < image.size(); ++i)
-      if (at >> i & 1) {
-        std::map<blade, rational> next;
-        for (const auto &[b, w] : sum)
-          for (std::size_t j = 0; j < image[i].size(); ++j)
-            if (const int s = metric::outer_sign(b, blade{1} << j); s && image[i][j] != 0)
-              next[b | blade{1} << j] += s * w * image[i][j];
-        sum = std::move(next);
-      }
+    for (const int v : from.factors(at)) {
+      const std::vector<rational> &row = image[static_cast<std::size_t>(v)];
+      std::map<blade, rational> next;
+      for (const auto &[b, w] : sum)
+        for (std::size_t j = 0; j < row.size(); ++j)
+          if (const int s = to.outer_sign(b, blade{1} << j); s && row[j] != 0)
+            next[b | blade{1} << j] += s * w * row[j];
+      sum = std::move(next);
+    }
     for (const auto &[b, w] : sum)
       if (w != 0)
         out.add(b, c.scaled(w));

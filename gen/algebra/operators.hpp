@@ -31,13 +31,13 @@ template <class C> multivector<C> grade_part(const multivector<C> &a, int k) {
   return out;
 }
 
-// b ^ right_complement(b) = i for each basis blade b of the basis of `a`; i is a multiple of the pseudoscalar.
-template <class C> multivector<C> right_complement(const multivector<C> &a, const blade_term &i) {
-  return mapped(a, [&](blade b) -> blade_term { return {i.at & ~b, i.weight * metric::outer_sign(b, i.at & ~b)}; });
+// b ^ right_complement(b) = i for each basis blade b of the basis m of `a`; i is a multiple of the pseudoscalar.
+template <class C> multivector<C> right_complement(const metric &m, const multivector<C> &a, const blade_term &i) {
+  return mapped(a, [&](blade b) -> blade_term { return {i.at & ~b, i.weight * m.outer_sign(b, i.at & ~b)}; });
 }
 // left_complement(b) ^ b = i.
-template <class C> multivector<C> left_complement(const multivector<C> &a, const blade_term &i) {
-  return mapped(a, [&](blade b) -> blade_term { return {i.at & ~b, i.weight * metric::outer_sign(i.at & ~b, b)}; });
+template <class C> multivector<C> left_complement(const metric &m, const multivector<C> &a, const blade_term &i) {
+  return mapped(a, [&](blade b) -> blade_term { return {i.at & ~b, i.weight * m.outer_sign(i.at & ~b, b)}; });
 }
 
 // The part of grade |r - s| of the product of grades r and s.

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -79,6 +80,8 @@ struct program {
   // Values of one object that are computed once and stored beside it, in ascending order; the pair reads them. All
   // other values of one object are computed for each pair. See gen/passes/store.hpp.
   std::vector<node_id> stored = {};
+  // The names of values that have one in the spec, by node; of programs after the last pass.
+  std::map<node_id, std::string> names = {};
 };
 
 // The ids of the nodes that the results need, in ascending order. Operands of a node in `given` are not needed for it.

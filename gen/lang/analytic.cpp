@@ -33,13 +33,57 @@ void refuse_analytic(const expr &call) {
                               call.text));
 }
 
-std::vector<kernel_request> take_analytic(const algebra &a, std::vector<kernel_request> &kernels) {
-  std::vector<kernel_request> out;
+namespace {
+
+bool is_wildcard(const expr &e) {
+  return e.kind == op::name && e.text == "*";
+}
+
+// The kinds that gives(*) stands for.
+std::vector<std::string> kinds_that_give(const scene &s, const expr &call) {
+  std::vector<std::string> out, known;
+  for (const reading &r : s.in.readings) {
+    known.push_back(r.kind);
+    if (s.kinds.empty() ||
+        std::any_of(s.kinds.begin(), s.kinds.end(), [&](const field &f) { return f.type == r.kind; }))
+      out.push_back(r.kind);
+  }
+  if (!out.empty())
+    return out;
+  const std::string kind = s.kinds.empty() ? s.in.kinds.front().name : s.kinds.front().type;
+  throw spec_error(call.where,
+                   fmt::format("'{}' stands for the kinds with a table [gives.KIND], and {}; write one in the algebra, "
+                               "as [gives.{}] with a line for each thing that is read back",
+                               print(call),
+                               known.empty()
+                                   ? "the algebra has no such table"
+                                   : fmt::format("none of the scene's kinds has one, only {}", join(known, ", ")),
+                               kind));
+}
+
+} // namespace
+
+void take_analytic(scene &s) {
   std::vector<kernel_request> rest;
-  for (kernel_request &k : kernels)
-    (called_analytic(a, *k.what) ? out : rest).push_back(std::move(k));
-  kernels = std::move(rest);
-  return out;
+  for (kernel_request &k : s.kernels) {
+    if (!called_analytic(s.in, *k.what)) {
+      rest.push_back(std::move(k));
+      continue;
+    }
+    const expr &call = *k.what;
+    if (call.args.size() != 1 || !is_wildcard(*call.args[0])) {
+      s.analytic.push_back(std::move(k));
+      continue;
+    }
+    if (call.text != "gives")
+      throw spec_error(call.args[0]->where,
+                       fmt::format("'*' stands for kinds in 'gives(*)' and in formulas, and not in '{0}(*)'; name the "
+                                   "kind, as in '{0}({1})'",
+                                   call.text, s.in.kinds.front().name));
+    for (const std::string &kind : kinds_that_give(s, call))
+      s.analytic.push_back({parse_expression(fmt::format("{}({})", call.text, kind), call.where.text()), k.where});
+  }
+  s.kernels = std::move(rest);
 }
 
 } // namespace meetc::lang

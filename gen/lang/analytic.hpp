@@ -17,7 +17,8 @@ const analytic *called_analytic(const algebra &a, const expr &e);
 // Throws: the call stands where only polynomials do.
 [[noreturn]] void refuse_analytic(const expr &call);
 
-// The kernels of a scene that are such calls, which leave `kernels`.
-std::vector<kernel_request> take_analytic(const algebra &a, std::vector<kernel_request> &kernels);
+// Moves the kernels of a scene that are such calls to scene::analytic. gives(*) stands for every kind with a table
+// [gives.KIND], of those in scene::kinds where the scene names kinds. Throws spec_error where there is none.
+void take_analytic(scene &s);
 
 } // namespace meetc::lang

@@ -30,12 +30,45 @@ std::vector<std::vector<int>> subsets(int n, int members) {
   return out;
 }
 
-void add_blade(const algebra &a, const std::vector<int> &vectors, kind &k) {
+using named_blade = std::vector<std::string>;
+
+bool are_same(const named_blade &a, const named_blade &b) {
+  return std::is_permutation(a.begin(), a.end(), b.begin(), b.end());
+}
+
+// The blades of these grades by the names of their vectors, in the algebra's order: among the places that the blades of
+// `order` have together, they take that order.
+std::vector<named_blade> blades_of(const algebra &a, const std::vector<int> &grades) {
+  std::vector<named_blade> out, listed;
+  const int n = static_cast<int>(a.vectors.size());
+  for (int grade = 0; grade <= n; ++grade)
+    for (const std::vector<int> &vectors : subsets(n, grade)) {
+      named_blade b;
+      for (const int v : vectors)
+        b.push_back(a.vectors[static_cast<std::size_t>(v)]);
+      out.push_back(std::move(b));
+    }
+  const auto is_in = [](const std::vector<named_blade> &all, const named_blade &b) {
+    return std::any_of(all.begin(), all.end(), [&](const named_blade &other) { return are_same(other, b); });
+  };
+  for (const ordered_blade &b : a.order)
+    if (is_in(out, b.vectors))
+      listed.push_back(b.vectors);
+  auto next = listed.begin();
+  for (named_blade &b : out)
+    if (is_in(listed, b))
+      b = *next++;
+  std::erase_if(out, [&](const named_blade &b) {
+    return std::find(grades.begin(), grades.end(), static_cast<int>(b.size())) == grades.end();
+  });
+  return out;
+}
+
+void add_blade(const named_blade &vectors, kind &k) {
   const location &at = k.grades_where;
   std::string name = vectors.empty() ? "c_1" : "c";
   expr_ptr blade;
-  for (const int v : vectors) {
-    const std::string &vector = a.vectors[static_cast<std::size_t>(v)];
+  for (const std::string &vector : vectors) {
     name += '_' + vector;
     const expr_ptr factor = node(op::name, at, vector);
     blade = blade ? node(op::outer, at, "^", {blade, factor}) : factor;
@@ -71,9 +104,8 @@ void complete_grades(algebra &a) {
     if (k.grades.back() > n)
       throw spec_error(k.grades_where, fmt::format("kind '{}' has grade {}, and the algebra has {} vectors", k.name,
                                                    k.grades.back(), n));
-    for (const int grade : k.grades)
-      for (const std::vector<int> &vectors : subsets(n, grade))
-        add_blade(a, vectors, k);
+    for (const named_blade &b : blades_of(a, k.grades))
+      add_blade(b, k);
   }
 }
 

@@ -203,13 +203,15 @@ void load_into(const std::string &path, algebra &out, reading_files &all) {
     if (!out.vectors.empty())
       throw spec_error(in.place(*t), "an imported file cannot declare an algebra of its own");
     const toml::table &basis = in.as_table(*t, "algebra");
-    in.allow(basis, "algebra", {"vectors", "squares", "metric", "null", "import", "extends", "spec"});
+    in.allow(basis, "algebra", {"vectors", "squares", "metric", "null", "order", "import", "extends", "spec"});
     check_version(in, basis);
     out.where = in.place(*t);
     if (basis.contains("extends"))
       extend(in, basis, out, all);
     else
       read_basis(in, basis, out);
+    if (const toml::node *order = basis.get("order"))
+      read_order(in, *order, out);
     out.where = in.place(*t);
     out.name = fs::path(path).stem().string();
   }

@@ -23,6 +23,17 @@ double box_size(const toml_reader &in, const toml::node &node) {
   return v;
 }
 
+// A kernel that the algebra may have: for a hint.
+std::string some_kernel(const algebra &a) {
+  if (!a.predicates.empty())
+    return a.predicates.front().name;
+  const std::string kind = a.kinds.empty() ? "KIND" : a.kinds.front().name;
+  return a.functions.empty()
+             ? '~' + kind
+             : fmt::format("{}({})", a.functions.front().name,
+                           join(std::vector<std::string>(a.functions.front().params.size(), kind), ", "));
+}
+
 } // namespace
 
 scene load_scene(const std::string &path, const backend_choice &backends, const std::vector<std::string> &search) {
@@ -54,7 +65,6 @@ scene load_scene(const std::string &path, const backend_choice &backends, const 
   load_algebra(find_algebra(in.place(*t.get("algebra")), algebra_path, search), s.in, s.files, search);
   for (const toml::node &item : in.as_array(*t.get("kernels"), "scene.kernels"))
     s.kernels.push_back({in.as_expression(item, "each item of scene.kernels"), in.place(item)});
-  s.analytic = take_analytic(s.in, s.kernels);
   if (const toml::node *kinds = t.get("kinds"))
     for (const toml::node &item : in.as_array(*kinds, "scene.kinds")) {
       const std::string name = in.as_string(item, "each item of scene.kinds");
@@ -63,6 +73,7 @@ scene load_scene(const std::string &path, const backend_choice &backends, const 
                                                      nearest(name, s.in.kind_names())));
       s.kinds.push_back({name, name, in.place(item)});
     }
+  take_analytic(s);
   if (const toml::node *zero = t.get("zero"))
     for (const toml::node &item : in.as_array(*zero, "scene.zero"))
       s.zero.push_back({in.as_expression(item, "each item of scene.zero"), in.place(item)});
@@ -101,6 +112,12 @@ scene load_scene(const std::string &path, const backend_choice &backends, const 
   if (t.contains("box"))
     s.box = box_size(in, *t.get("box"));
   s.backends = choices("backends", backends.known, backends.unless_said);
+  if (s.kernels.empty() && s.analytic.empty() && s.zero.empty())
+    throw spec_error(
+        in.place(*t.get("kernels")),
+        fmt::format("scene.kernels is empty, so nothing would be emitted; name predicates, or functions of "
+                    "kinds, as in kernels = ['{}']",
+                    some_kernel(s.in)));
   return s;
 }
 

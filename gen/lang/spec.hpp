@@ -104,12 +104,19 @@ struct predicate {
 // A predicate's meaning in words: "touch", "beyond 1 common point".
 std::string text_of(const predicate &p);
 
+// A basis blade of the key `order`, by its vectors in the order of their product. None: the scalar.
+struct ordered_blade {
+  std::vector<std::string> vectors;
+  location where;
+};
+
 struct algebra {
   std::string name;
   location where;
   std::vector<std::string> vectors;             // the declared basis, in order
   std::vector<std::vector<std::string>> metric; // exact rationals
   std::vector<named_expr> null;                 // constants that replace declared vectors in lowering, in order
+  std::vector<ordered_blade> order;             // of basis blades in output; those that it lacks stand as they would
   std::vector<named_expr> constants;
   std::vector<kind> kinds;
   std::vector<function> functions;

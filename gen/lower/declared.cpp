@@ -30,7 +30,7 @@ std::vector<std::vector<std::pair<std::size_t, rational>>> linear_relations(cons
         env.emplace_back(f.name, value{multivector(0, poly::poly::variable(ring, ring.find(f.name)))});
       else
         env.emplace_back(f.name, expand.operand(*m.spec().find_kind(f.type), f.name + '.'));
-    const multivector v = algebra::outermorphism(expand.evaluate_multivector(body, env), m.to_declared());
+    const multivector v = m.in_declared(expand.evaluate_multivector(body, env));
     for (std::size_t i = 0; i < blades.size(); ++i)
       if (const poly::poly *c = v.find(blades[i]))
         for (const poly::term &t : c->terms()) {
@@ -119,7 +119,7 @@ declared_formula in_declared_basis(const model &m, const request &r) {
   std::set<blade> where;
   for (const auto &[b, c] : v.terms())
     where.insert(b);
-  const std::vector<blade> blades = sorted_blades(where);
+  const std::vector<blade> blades = sorted_blades(m.declared(), where);
   out.blades = named(m.declared(), blades);
   for (const blade b : blades)
     out.values.push_back(*v.find(b));

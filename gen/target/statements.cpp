@@ -14,24 +14,27 @@ std::vector<ir::node_id> keys(const std::map<ir::node_id, std::string> &given) {
 }
 } // namespace
 
-statements::statements(const ir::arena &nodes, const std::vector<ir::node_id> &results, syntax s,
+statements::statements(const ir::program &p, const std::vector<ir::node_id> &results, syntax s,
                        std::map<ir::node_id, std::string> given)
-    : syntax_(std::move(s)), given_(std::move(given)) {
+    : syntax_(std::move(s)), names_(p.names), given_(std::move(given)) {
   // A result that is requested twice is computed once.
   for (const ir::node_id r : results)
     ++uses_[r];
   // Users come before their operands. A negation is written wherever it is used, together with its operand.
-  const std::vector<ir::node_id> order = ir::needed(nodes, results, keys(given_));
+  const std::vector<ir::node_id> order = ir::needed(p.nodes, results, keys(given_));
   for (auto id = order.rbegin(); id != order.rend(); ++id)
     if (!given_.count(*id))
-      for (const ir::node_id operand : ir::operands(nodes.at(*id)))
-        uses_[operand] += nodes.at(*id).kind == ir::op::negate ? uses_[*id] : 1;
+      for (const ir::node_id operand : ir::operands(p.nodes.at(*id)))
+        uses_[operand] += p.nodes.at(*id).kind == ir::op::negate ? uses_[*id] : 1;
 }
 
 statements::value statements::made(const ir::node_ref &at, value v) {
   if (uses_[at.id] <= 1 && v.text.size() <= longest_inline)
     return v;
-  const std::string name = fmt::format("t{}", next_++);
+  const auto named = names_.find(at.id);
+  const std::string name = named == names_.end() ? fmt::format("t{}", next_++)
+                           : syntax_.local       ? syntax_.local(named->second)
+                                                 : named->second;
   out_ += syntax_.indent;
   out_ += syntax_.keep ? syntax_.keep(name, v.text)
                        : fmt::format("const {} {} = {};", wide(at.id) ? syntax_.wide_type : syntax_.type, name, v.text);
@@ -65,10 +68,10 @@ statements::value statements::fused(const ir::node_ref &at, const value &x, cons
   return made(at, {fmt::format("{}({}, {}, {})", syntax_.fma, x.text, y.text, z.text)});
 }
 
-statements::text statements::of(const ir::arena &nodes, const std::vector<ir::node_id> &results, const syntax &s,
+statements::text statements::of(const ir::program &p, const std::vector<ir::node_id> &results, const syntax &s,
                                 const std::map<ir::node_id, std::string> &given) {
-  statements d(nodes, results, s, given);
-  const auto values = ir::fold(nodes, d, ir::needed(nodes, results, keys(given)));
+  statements d(p, results, s, given);
+  const auto values = ir::fold(p.nodes, d, ir::needed(p.nodes, results, keys(given)));
   text out{std::move(d.out_), {}};
   for (const ir::node_id r : results)
     out.results.push_back(values.at(r).text);
@@ -76,7 +79,7 @@ statements::text statements::of(const ir::arena &nodes, const std::vector<ir::no
 }
 
 statements::text statements::of(const ir::program &p, const syntax &s) {
-  return of(p.nodes, p.results, s);
+  return of(p, p.results, s);
 }
 
 } // namespace meetc::target

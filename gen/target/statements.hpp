@@ -1,7 +1,7 @@
 // Programs as statements of a C-like language: the domain of the fold with which targets write code.
 //
 // A node that is used once is written where it is used, as long as that stays readable; every other node becomes a
-// constant. The order of operations is that of the graph, and all parentheses that keep it are written.
+// constant: by the program's name, else t0, t1 and so on. The graph's order of operations and all its parentheses are kept.
 #pragma once
 #include "gen/ir/fold.hpp"
 
@@ -24,6 +24,8 @@ struct syntax {
   std::string wide_type = {}, wide_product = {};
   // The statement that gives a value a name; by default "const TYPE NAME = VALUE;".
   std::function<std::string(const std::string &, const std::string &)> keep = {};
+  // A program's name of a value as a name of the language that is none of its words; each gives another one.
+  std::function<std::string(const std::string &)> local = {};
 };
 
 // An expression and how tightly it binds.
@@ -35,9 +37,9 @@ struct expression {
 class statements {
 public:
   using value = expression;
-  // For the nodes that the results need; `given` names the values that exist already.
-  statements(const ir::arena &nodes, const std::vector<ir::node_id> &results, syntax s,
-             std::map<ir::node_id, std::string> given = {});
+  // For the nodes of p that the results need; `given` names the values that exist already.
+  statements(const ir::program &p, const std::vector<ir::node_id> &results, syntax s,
+             std::map<ir::node_id, std::string> given);
 
   // All statements, and the expressions of the results in order.
   struct text {
@@ -45,7 +47,7 @@ public:
     std::vector<std::string> results;
   };
   static text of(const ir::program &p, const syntax &s);
-  static text of(const ir::arena &nodes, const std::vector<ir::node_id> &results, const syntax &s,
+  static text of(const ir::program &p, const std::vector<ir::node_id> &results, const syntax &s,
                  const std::map<ir::node_id, std::string> &given = {});
 
   // ---- the domain ----
@@ -64,6 +66,7 @@ public:
 private:
   using binding = expression::binding;
   syntax syntax_;
+  const std::map<ir::node_id, std::string> &names_;
   std::map<ir::node_id, std::string> given_;
   std::map<ir::node_id, int> uses_;
   std::string out_;

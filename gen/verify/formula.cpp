@@ -57,7 +57,7 @@ public:
         const int s = sgn(values[static_cast<std::size_t>(at)]);
         sign *= exponent == 2 ? s * s : s;
       }
-      compare(dense_.evaluate(*k_.asked.body, scope), {0}, {sign}, "sign", inputs);
+      compare(dense_.evaluate(*k_.asked.body, scope), number, {sign}, "sign", inputs);
     }
     return out_;
   }
@@ -68,6 +68,7 @@ private:
   dense_evaluator dense_;
   std::mt19937 random_;
   report out_;
+  const std::vector<lower::basis_blade> number{{}}; // the scalar
 
   static const std::vector<poly::poly> &expected(const lower::formula &f, const lower::assumptions &a) {
     return a.taken.empty() ? f.polynomials : a.computed;
@@ -108,13 +109,32 @@ private:
     return out;
   }
 
-  void compare(const oracle::multivector &want, const std::vector<lower::blade> &blades,
+  // A basis blade of the working basis as a dense multivector, by the names of its vectors.
+  oracle::multivector dense(const lower::basis_blade &b) const {
+    const std::vector<std::string> &names = m_.working().names();
+    oracle::multivector out = dense_.algebra().scalar(1);
+    for (const std::string &v : b.vectors) {
+      const auto at = std::find(names.begin(), names.end(), v) - names.begin();
+      out = oracle::outer(out, dense_.algebra().vector(static_cast<int>(at)));
+    }
+    return out;
+  }
+  std::vector<lower::basis_blade> blades_of(const lang::kind &kind) const {
+    return lower::named(m_.working(), lower::support(m_, kind));
+  }
+  // The coefficient on a basis blade: the one of its mask, with the sign of its product.
+  static std::size_t mask_of(const oracle::multivector &blade) {
+    const auto at = std::find_if(blade.begin(), blade.end(), [](const oracle::rational &q) { return q != 0; });
+    return static_cast<std::size_t>(at - blade.begin());
+  }
+
+  void compare(const oracle::multivector &want, const std::vector<lower::basis_blade> &blades,
                const std::vector<oracle::rational> &have, const char *what,
                const std::vector<oracle::rational> &inputs) {
     ++out_.cases;
     oracle::multivector got = dense_.algebra().zero();
     for (std::size_t i = 0; i < blades.size(); ++i)
-      got[blades[i]] = have[i];
+      got = oracle::add(got, oracle::scale(have[i], dense(blades[i])));
     if (got == want)
       return;
     if (out_.wrong++ == 0)
@@ -156,17 +176,20 @@ private:
       const lang::kind &kind = *k_.asked.kinds[i];
       const bool is_related = assumes && !kind.relations.empty();
       oracle::multivector operand = is_related ? related(kind) : dense_.algebra().zero();
-      for (const lower::blade b : lower::support(m_, kind))
+      for (const lower::basis_blade &b : blades_of(kind)) {
+        const oracle::multivector blade = dense(b);
+        const std::size_t mask = mask_of(blade);
         if (is_related)
-          inputs[at++] = operand[b];
+          inputs[at++] = operand[mask] * blade[mask];
         else
-          operand[b] = inputs[at++];
+          operand[mask] = inputs[at++] * blade[mask];
+      }
       scope[k_.asked.names[i]] = {operand, {}};
     }
     const oracle::multivector want = dense_.evaluate(*k_.asked.body, scope);
-    compare(want, f.result, ir::evaluate(f.from_blades, inputs), "blades", inputs);
+    compare(want, f.result_names, ir::evaluate(f.from_blades, inputs), "blades", inputs);
     if (!f.prepared.results.empty())
-      compare(want, f.result, ir::evaluate(f.prepared, inputs), "prepared blades", inputs);
+      compare(want, f.result_names, ir::evaluate(f.prepared, inputs), "prepared blades", inputs);
   }
 
   void stored() {
@@ -176,9 +199,9 @@ private:
     for (std::size_t i = 0; i < k_.asked.kinds.size(); ++i)
       scope[k_.asked.names[i]] = dense_.operand(*k_.asked.kinds[i], inputs, next);
     const oracle::multivector want = dense_.evaluate(*k_.asked.body, scope);
-    compare(want, {0}, ir::evaluate(k_.value.from_stored, inputs), "stored numbers", inputs);
+    compare(want, number, ir::evaluate(k_.value.from_stored, inputs), "stored numbers", inputs);
     if (!k_.value.for_pairs.results.empty())
-      compare(want, {0}, ir::evaluate(k_.value.for_pairs, inputs), "stored values", inputs);
+      compare(want, number, ir::evaluate(k_.value.for_pairs, inputs), "stored values", inputs);
   }
 
   void made(const lang::kind &kind, const lower::blade_maker &maker) {
@@ -192,7 +215,7 @@ private:
     for (const lang::field &f : maker.of)
       scope[f.name] = f.type == "real" ? dense_value{dense_.algebra().scalar(inputs.at(next++)), {}}
                                        : dense_.operand(*m_.spec().find_kind(f.type), inputs, next);
-    compare(dense_.evaluate(*body, scope), lower::support(m_, kind), ir::evaluate(maker.code, inputs),
+    compare(dense_.evaluate(*body, scope), blades_of(kind), ir::evaluate(maker.code, inputs),
             (kind.name + " " + maker.name).c_str(), inputs);
   }
 };

@@ -51,7 +51,7 @@ std::array<int, 4> vectors_of(const model &m, const analytic_kernel &k, const st
 }
 
 // The units as multiples of basis blades of the working basis.
-units units_of(const std::array<int, 4> &vectors) {
+units units_of(const metric &basis, const std::array<int, 4> &vectors) {
   const metric formal({"e1", "e2", "e3", "e0"}, {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 0}});
   constexpr blade pseudoscalar = 15, planes[] = {0, 6, 5, 3}; // 1, e2e3, e1e3, e1e2
   constexpr int signs[] = {1, -1, 1, -1};                     // -e2e3, -e3e1, -e1e2
@@ -70,7 +70,7 @@ units units_of(const std::array<int, 4> &vectors) {
           break;
         }
         const blade next = blade{1} << vectors[v];
-        t.weight *= metric::outer_sign(at, next);
+        t.weight *= basis.outer_sign(at, next);
         at |= next;
       }
     if (t.weight != 0)
@@ -103,7 +103,7 @@ std::array<bool, 8> closed(const std::array<bool, 8> &of) {
 void compile_motion(const model &m, analytic_kernel &k) {
   const std::vector<blade> blades = support(m, *k.kind);
   const std::array<int, 4> vectors = vectors_of(m, k, blades);
-  const units all = units_of(vectors);
+  const units all = units_of(m.working(), vectors);
   std::array<bool, 8> has{};
   for (const blade b : blades) {
     const auto n = std::find_if(all.begin(), all.end(), [&](const auto &u) { return u && u->at == b; }) - all.begin();
@@ -133,7 +133,7 @@ void compile_motion(const model &m, analytic_kernel &k) {
   for (std::size_t n = 0; n < 8; ++n)
     if (gives[n] && all[n])
       result.push_back(all[n]->at);
-  result = sorted_blades({result.begin(), result.end()});
+  result = sorted_blades(m.working(), {result.begin(), result.end()});
   k.out = numbers_on(m, all, result);
   k.result_kind = result == blades ? k.kind : kind_of_value(m, result);
   if (!k.result_kind)

@@ -44,6 +44,13 @@ value expander::operand(const lang::kind &k, const std::string &prefix) const {
   return {std::shared_ptr<const object>(std::move(o)), prefix.substr(0, prefix.empty() ? 0 : prefix.size() - 1)};
 }
 
+value expander::operand(const lang::kind &k, const std::function<rational()> &next) const {
+  auto o = std::make_shared<object>(object{&k, {}, nullptr});
+  for (const lang::field &f : k.store)
+    o->fields.push_back(f.type == "real" ? value{number(next())} : operand(*model_.spec().find_kind(f.type), next));
+  return {std::shared_ptr<const object>(std::move(o))};
+}
+
 value expander::general(const std::vector<blade> &blades, const std::vector<std::string> &names) const {
   multivector m;
   for (std::size_t i = 0; i < blades.size(); ++i)
@@ -202,7 +209,7 @@ value expander::name(const lang::expr &e, const environment &env) {
     for (const std::string &v : named) {
       lang::expr one = e;
       one.text = v;
-      m = algebra::outer(m, evaluate_multivector(one, {}));
+      m = algebra::outer(*basis_, m, evaluate_multivector(one, {}));
     }
     return {m};
   }

@@ -6,6 +6,7 @@
 #include "gen/lower/expand/decision.hpp"
 #include "gen/lower/expand/model.hpp"
 
+#include <functional>
 #include <memory>
 #include <variant>
 
@@ -64,6 +65,8 @@ public:
 
   // An operand whose stored numbers are the ring's variables prefix + path ("X." + "c.x").
   value operand(const lang::kind &k, const std::string &prefix) const;
+  // An operand whose stored numbers are those that `next` gives, in memory order.
+  value operand(const lang::kind &k, const std::function<rational()> &next) const;
   // An operand whose blade has one variable for each basis blade: prefix + names[i] at blades[i].
   value general(const std::vector<blade> &blades, const std::vector<std::string> &names) const;
 

@@ -96,7 +96,7 @@ value expander::arithmetic(const lang::expr &e, const environment &env) {
   case op::multiply:
     return checked(algebra::geometric(*basis_, x, y), e.where);
   case op::outer:
-    return checked(algebra::outer(x, y), e.where);
+    return checked(algebra::outer(*basis_, x, y), e.where);
   case op::inner:
     return checked(algebra::inner(*basis_, x, y), e.where);
   default:

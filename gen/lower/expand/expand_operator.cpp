@@ -32,17 +32,17 @@ multivector expander::pseudoscalar(const location &where) {
                                           c->where.text(), model_.declared().name(all)));
     return i;
   }
-  return in_expansion({all, poly::poly(ring_, 1)});
+  return in_expansion({all, poly::poly(ring_, model_.declared().sign(all))}); // in the order of `vectors`
 }
 
 multivector expander::in_declared(const multivector &m) const {
-  return basis_ == &model_.working() ? algebra::outermorphism(m, model_.to_declared()) : m;
+  return basis_ == &model_.working() ? model_.in_declared(m) : m;
 }
 multivector expander::in_working(const multivector &m) const {
-  return basis_ == &model_.working() ? m : algebra::outermorphism(m, model_.to_working());
+  return basis_ == &model_.working() ? m : model_.in_working(m);
 }
 multivector expander::in_expansion(const multivector &declared) const {
-  return basis_ == &model_.working() ? algebra::outermorphism(declared, model_.to_working()) : declared;
+  return basis_ == &model_.working() ? model_.in_working(declared) : declared;
 }
 
 // I and I^2.
@@ -61,7 +61,9 @@ multivector expander::complement(const multivector &m, bool right, const lang::e
                                  "{1} times that",
                                  model_.declared().name(at.at), at.weight.get_str()));
   const multivector declared = in_declared(m);
-  return in_expansion(right ? algebra::right_complement(declared, at) : algebra::left_complement(declared, at));
+  const metric &basis = model_.declared();
+  return in_expansion(right ? algebra::right_complement(basis, declared, at)
+                            : algebra::left_complement(basis, declared, at));
 }
 
 // A number of the spec that says a grade.

@@ -1,6 +1,7 @@
 #include "gen/lower/expand/model.hpp"
 #include "gen/lower/expand/expand.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace meetc::lower {
@@ -64,11 +65,27 @@ bool invert(matrix m, matrix &out) {
   return true;
 }
 
+// The blades of the algebra's `order` that are made of these vectors, by their numbers.
+std::vector<std::vector<int>> order_of(const lang::algebra &a, const std::vector<std::string> &vectors) {
+  std::vector<std::vector<int>> out;
+  for (const lang::ordered_blade &b : a.order) {
+    std::vector<int> numbers;
+    for (const std::string &v : b.vectors) {
+      const auto at = std::find(vectors.begin(), vectors.end(), v);
+      if (at != vectors.end())
+        numbers.push_back(static_cast<int>(at - vectors.begin()));
+    }
+    if (numbers.size() == b.vectors.size())
+      out.push_back(std::move(numbers));
+  }
+  return out;
+}
+
 } // namespace
 
 model::model(const lang::algebra &a)
-    : spec_(a), declared_(a.vectors, parse_metric(a)), working_(declared_), to_working_(identity(a.vectors.size())),
-      to_declared_(to_working_) {
+    : spec_(a), declared_(a.vectors, parse_metric(a), order_of(a, a.vectors)), working_(declared_),
+      to_working_(identity(a.vectors.size())), to_declared_(to_working_) {
   if (a.null.empty())
     return;
   // The null vectors, in the declared basis. They replace the declared vectors that they use.
@@ -106,19 +123,31 @@ model::model(const lang::algebra &a)
   if (rows.size() != n || !invert(rows, to_working_))
     throw spec_error(a.null.front().where, "the null vectors and the vectors that they leave are not a basis");
   to_declared_ = rows;
-  working_ = metric(names, multiply(multiply(rows, parse_metric(a), false), rows, true));
+  for (const lang::ordered_blade &b : a.order)
+    for (const std::string &v : b.vectors)
+      if (std::find(names.begin(), names.end(), v) == names.end())
+        throw spec_error(b.where, fmt::format("'{}' is none of the vectors that blades are made of, since null vectors "
+                                              "replace it; 'order' lists blades of {}",
+                                              v, join(names, ", ")));
+  working_ = metric(names, multiply(multiply(rows, parse_metric(a), false), rows, true), order_of(a, names));
 }
 
 std::vector<basis_blade> named(const metric &m, const std::vector<blade> &blades) {
   std::vector<basis_blade> out;
   for (const blade b : blades) {
     basis_blade of;
-    for (int i = 0; i < m.vectors(); ++i)
-      if (b >> i & 1)
-        of.vectors.push_back(m.names()[static_cast<std::size_t>(i)]);
+    for (const int i : m.factors(b))
+      of.vectors.push_back(m.names()[static_cast<std::size_t>(i)]);
     out.push_back(std::move(of));
   }
   return out;
+}
+
+multivector model::in_working(const multivector &m) const {
+  return algebra::outermorphism(declared_, m, working_, to_working_);
+}
+multivector model::in_declared(const multivector &m) const {
+  return algebra::outermorphism(working_, m, declared_, to_declared_);
 }
 
 kind_layout model::layout(const lang::kind &k) const {

@@ -12,7 +12,7 @@ using algebra::metric;
 using algebra::rational;
 using multivector = algebra::multivector<poly::poly>;
 
-// A basis blade by the names of its vectors, in basis order.
+// A basis blade by the names of its vectors, in the order of their product.
 struct basis_blade {
   std::vector<std::string> vectors; // none: a scalar
 
@@ -48,6 +48,9 @@ public:
   // Row i is the i-th declared vector in the working basis, or the reverse.
   const std::vector<std::vector<rational>> &to_working() const { return to_working_; }
   const std::vector<std::vector<rational>> &to_declared() const { return to_declared_; }
+  // A multivector of the one basis in the other.
+  multivector in_working(const multivector &m) const;
+  multivector in_declared(const multivector &m) const;
 
   kind_layout layout(const lang::kind &k) const;
   const lang::kind &kind(const std::string &name, const location &where) const;

@@ -30,7 +30,7 @@ public:
   node_multivector evaluate(const lang::expr &e, const environment &env) {
     switch (e.kind) {
     case lang::op::outer:
-      return algebra::outer(evaluate(*e.args[0], env), evaluate(*e.args[1], env));
+      return algebra::outer(expand_.basis(), evaluate(*e.args[0], env), evaluate(*e.args[1], env));
     case lang::op::multiply:
       return algebra::geometric(expand_.basis(), evaluate(*e.args[0], env), evaluate(*e.args[1], env));
     case lang::op::negate:
@@ -52,9 +52,9 @@ private:
 
 } // namespace
 
-std::vector<blade> sorted_blades(const std::set<blade> &blades) {
+std::vector<blade> sorted_blades(const metric &basis, const std::set<blade> &blades) {
   std::vector<blade> out(blades.begin(), blades.end());
-  std::sort(out.begin(), out.end(), algebra::in_reading_order);
+  std::sort(out.begin(), out.end(), [&](blade a, blade b) { return basis.before(a, b); });
   return out;
 }
 
@@ -79,7 +79,7 @@ std::vector<blade> support(const model &m, const lang::kind &k, bool declared) {
         env.emplace_back(f.name, expand.operand(*m.spec().find_kind(f.type), f.name + '.'));
     multivector v = expand.evaluate_multivector(body, env);
     if (declared)
-      v = algebra::outermorphism(v, m.to_declared());
+      v = m.in_declared(v);
     for (const auto &[b, c] : v.terms())
       blades.insert(b);
   };
@@ -88,7 +88,7 @@ std::vector<blade> support(const model &m, const lang::kind &k, bool declared) {
     visit(c.of, *c.blade);
   if (blades.empty())
     throw spec_error(k.blade->where, fmt::format("the blade of '{}' is always zero", k.name));
-  return sorted_blades(blades);
+  return sorted_blades(declared ? m.declared() : m.working(), blades);
 }
 
 std::vector<blade_maker> makers(const model &m, const lang::kind &k) {

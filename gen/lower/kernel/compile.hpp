@@ -19,7 +19,7 @@ program best_of(const builder &code, const std::vector<std::vector<node_id>> &fo
 // lacks is fixed, as -1 is on the origin in the vector of a conformal point. Among several kinds the one with the least room,
 // and among equal ones the first that is declared.
 const lang::kind *kind_of_value(const model &m, const std::vector<blade> &blades);
-std::vector<blade> sorted_blades(const std::set<blade> &blades);
+std::vector<blade> sorted_blades(const metric &basis, const std::set<blade> &blades);
 
 // Numbers become literals of every number type, so they must be small enough that float64 still counts in ones. Throws
 // spec_error.

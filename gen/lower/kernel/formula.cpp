@@ -53,7 +53,7 @@ public:
       std::set<blade> where;
       for (const auto &[at, c] : whole_->terms())
         where.insert(at);
-      out_.result = sorted_blades(where);
+      out_.result = sorted_blades(model_.working(), where);
       for (const blade at : out_.result)
         out_.polynomials.push_back(*whole_->find(at));
       if (std::all_of(out_.polynomials.begin(), out_.polynomials.end(),
@@ -69,7 +69,7 @@ public:
           std::set<blade> where;
           for (const auto &[at, id] : without_zeros(code, *way))
             where.insert(at);
-          out_.result = sorted_blades(where);
+          out_.result = sorted_blades(model_.working(), where);
         }
         forms.emplace_back();
         for (const blade at : out_.result) {

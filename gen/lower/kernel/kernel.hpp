@@ -29,7 +29,7 @@ request resolve(const lower::model &m, const lang::expr_ptr &what);
 request resolve(const lower::model &m, const lang::expr_ptr &what,
                 const std::vector<std::pair<std::string, std::string>> &with);
 
-// The basis blades on which a kind can be non-zero, over all its constructors, in reading order.
+// The basis blades on which a kind can be non-zero, over all its constructors, in the order of output.
 std::vector<blade> support(const lower::model &m, const lang::kind &k, bool declared = false);
 
 // One way to compute a blade from stored numbers; the coefficients are those of support().

@@ -56,8 +56,12 @@ std::string c_multiply_add(const unit &u, const c_number &n) {
 std::string c_body(const ir::program &p, const c_number &n, const std::string &fma,
                    const std::function<std::string(int)> &input,
                    const std::function<std::string(std::size_t, const std::string &)> &result) {
-  const statements::text code =
-      statements::of(p, {n.type, fma, [&](const ir::rational &q) { return constant(q, n); }, input, "  "});
+  const statements::text code = statements::of(p, {.type = n.type,
+                                                   .fma = fma,
+                                                   .constant = [&](const ir::rational &q) { return constant(q, n); },
+                                                   .input = input,
+                                                   .indent = "  ",
+                                                   .local = identifier});
   std::string out = code.before;
   for (std::size_t i = 0; i < code.results.size(); ++i)
     out += fmt::format("  {}\n", result(i, code.results[i]));

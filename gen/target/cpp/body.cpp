@@ -22,9 +22,14 @@ std::string constant_text(const ir::rational &q, const body_names &names) {
 }
 
 syntax cpp_syntax(const body_names &names, const std::string &indent) {
-  return {names.type,  names.fma,        [names](const ir::rational &q) { return constant_text(q, names); },
-          names.input, indent,           {},
-          "W",         "meetc::times<W>"};
+  return {.type = names.type,
+          .fma = names.fma,
+          .constant = [names](const ir::rational &q) { return constant_text(q, names); },
+          .input = names.input,
+          .indent = indent,
+          .wide_type = "W",
+          .wide_product = "meetc::times<W>",
+          .local = identifier};
 }
 
 // A statement with a remark, which goes on the same line if there is room and otherwise on the line above.
@@ -65,7 +70,7 @@ void check_whole(const lower::formula &f, const std::string &text) {
 
 stored_body stored_parts(const ir::program &p, const body_names &names, const std::string &indent) {
   const auto object = [&](poly::residency where, int &count) {
-    const statements::text text = statements::of(p.nodes, ir::stored_of(p, where), cpp_syntax(names, indent));
+    const statements::text text = statements::of(p, ir::stored_of(p, where), cpp_syntax(names, indent));
     std::string out = text.before;
     for (const std::string &value : text.results)
       out += line(indent, fmt::format("f[{}] = {};", count++, value));
@@ -87,7 +92,7 @@ std::string pair_body(const ir::program &p, const stored_body &stored, const bod
     for (const bound::growth &g : bound::growths(p))
       s.wide.push_back(g.degree >= 3);
   }
-  const statements::text text = statements::of(p.nodes, p.results, s, stored.read);
+  const statements::text text = statements::of(p, p.results, s, stored.read);
   std::string out = text.before;
   for (std::size_t i = 0; i < text.results.size(); ++i) {
     const bool widened = mixed && !s.wide[static_cast<std::size_t>(p.results[i])];

@@ -79,6 +79,7 @@ std::string python_path(const std::string &path) {
 statements::text python_body(const ir::program &p, const std::function<std::string(int)> &input) {
   syntax s{.type = "", .fma = "", .constant = constant, .input = input, .indent = "    "};
   s.keep = [](const std::string &name, const std::string &value) { return fmt::format("{} = {}", name, value); };
+  s.local = python_name;
   return statements::of(p, s);
 }
 

@@ -117,6 +117,7 @@ std::string shader_body(const shader_language &l, const ir::program &p, const st
                         const std::function<std::string(std::size_t, const std::string &)> &result) {
   syntax s{.type = "", .fma = "", .constant = constant, .input = input, .indent = "  "};
   s.keep = l.keep;
+  s.local = shader_member;
   const statements::text code = statements::of(p, s);
   std::string out = code.before;
   for (std::size_t i = 0; i < code.results.size(); ++i)

@@ -27,23 +27,23 @@ template <class T> MEETC_HD constexpr point_pair_blade<T> meet(const sphere_blad
     const line_blade<T> &Y) noexcept(meetc::is_built_in<T>) {
   point_pair_blade<T> B;
   const T t0 = meetc::multiply_add<T>(-Y.e1_e3_n, X.e1_e2_n_nb, X.e1_e2_e3_n * Y.e1_n_nb);
-  const T t1 = meetc::number<T>(2) * meetc::multiply_add<T>(Y.e1_e2_n, X.e1_e3_n_nb, t0);
-  const T t2 = meetc::multiply_add<T>(-X.e1_e2_n_nb, Y.e2_e3_n, X.e1_e2_e3_n * Y.e2_n_nb);
-  const T t3 = meetc::number<T>(2) * meetc::multiply_add<T>(Y.e1_e2_n, X.e2_e3_n_nb, t2);
-  const T t4 = meetc::multiply_add<T>(-X.e1_e3_n_nb, Y.e2_e3_n, X.e1_e2_e3_n * Y.e3_n_nb);
-  const T t5 = meetc::number<T>(2) * meetc::multiply_add<T>(Y.e1_e3_n, X.e2_e3_n_nb, t4);
-  const T t6 = meetc::multiply_add<T>(-X.e1_e3_n_nb, Y.e2_n_nb, X.e1_e2_n_nb * Y.e3_n_nb);
-  const T t7 = meetc::number<T>(2) * meetc::multiply_add<T>(Y.e1_n_nb, X.e2_e3_n_nb, t6);
+  const T B_e1_n = meetc::number<T>(2) * meetc::multiply_add<T>(Y.e1_e2_n, X.e1_e3_n_nb, t0);
+  const T t1 = meetc::multiply_add<T>(-X.e1_e2_n_nb, Y.e2_e3_n, X.e1_e2_e3_n * Y.e2_n_nb);
+  const T B_e2_n = meetc::number<T>(2) * meetc::multiply_add<T>(Y.e1_e2_n, X.e2_e3_n_nb, t1);
+  const T t2 = meetc::multiply_add<T>(-X.e1_e3_n_nb, Y.e2_e3_n, X.e1_e2_e3_n * Y.e3_n_nb);
+  const T B_e3_n = meetc::number<T>(2) * meetc::multiply_add<T>(Y.e1_e3_n, X.e2_e3_n_nb, t2);
+  const T t3 = meetc::multiply_add<T>(-X.e1_e3_n_nb, Y.e2_n_nb, X.e1_e2_n_nb * Y.e3_n_nb);
+  const T B_n_nb = meetc::number<T>(2) * meetc::multiply_add<T>(Y.e1_n_nb, X.e2_e3_n_nb, t3);
   B.e1_e2 = -((X.e1_e2_e3_nb * Y.e1_e2_n) * meetc::number<T>(2));
   B.e1_e3 = -(meetc::number<T>(2) * (X.e1_e2_e3_nb * Y.e1_e3_n));
-  B.e1_n = t1;
+  B.e1_n = B_e1_n;
   B.e1_nb = meetc::number<T>(2) * (X.e1_e2_e3_nb * Y.e1_n_nb);
   B.e2_e3 = -(meetc::number<T>(2) * (X.e1_e2_e3_nb * Y.e2_e3_n));
-  B.e2_n = t3;
+  B.e2_n = B_e2_n;
   B.e2_nb = meetc::number<T>(2) * (X.e1_e2_e3_nb * Y.e2_n_nb);
-  B.e3_n = t5;
+  B.e3_n = B_e3_n;
   B.e3_nb = meetc::number<T>(2) * (X.e1_e2_e3_nb * Y.e3_n_nb);
-  B.n_nb = t7;
+  B.n_nb = B_n_nb;
   return B;
 }
 template <class T> MEETC_HD constexpr point_pair_blade<T> meet(const sphere<T> &X,

@@ -24,25 +24,26 @@ template <class T> MEETC_HD constexpr T norm2_meet(const circle_blade<T> &X,
       X.e1_e2_e3 * Y.e1_n_nb));
   const T t3 = meetc::multiply_add<T>(-X.e1_e3_nb, Y.e1_e2_n, meetc::multiply_add<T>(X.e1_e3_n, Y.e1_e2_nb,
       t2));
-  const T t4 = meetc::number<T>(2) * meetc::multiply_add<T>(X.e1_n_nb, Y.e1_e2_e3, t3);
-  const T t5 = meetc::multiply_add<T>(X.e1_e2_nb, Y.e2_e3_n, meetc::multiply_add<T>(-X.e1_e2_n, Y.e2_e3_nb,
+  const T meet_e1 = meetc::number<T>(2) * meetc::multiply_add<T>(X.e1_n_nb, Y.e1_e2_e3, t3);
+  const T t4 = meetc::multiply_add<T>(X.e1_e2_nb, Y.e2_e3_n, meetc::multiply_add<T>(-X.e1_e2_n, Y.e2_e3_nb,
       X.e1_e2_e3 * Y.e2_n_nb));
-  const T t6 = meetc::multiply_add<T>(-X.e2_e3_nb, Y.e1_e2_n, meetc::multiply_add<T>(X.e2_e3_n, Y.e1_e2_nb,
-      t5));
-  const T t7 = meetc::number<T>(2) * meetc::multiply_add<T>(X.e2_n_nb, Y.e1_e2_e3, t6);
-  const T t8 = meetc::multiply_add<T>(X.e1_e3_nb, Y.e2_e3_n, meetc::multiply_add<T>(-X.e1_e3_n, Y.e2_e3_nb,
+  const T t5 = meetc::multiply_add<T>(-X.e2_e3_nb, Y.e1_e2_n, meetc::multiply_add<T>(X.e2_e3_n, Y.e1_e2_nb,
+      t4));
+  const T meet_e2 = meetc::number<T>(2) * meetc::multiply_add<T>(X.e2_n_nb, Y.e1_e2_e3, t5);
+  const T t6 = meetc::multiply_add<T>(X.e1_e3_nb, Y.e2_e3_n, meetc::multiply_add<T>(-X.e1_e3_n, Y.e2_e3_nb,
       X.e1_e2_e3 * Y.e3_n_nb));
-  const T t9 = meetc::multiply_add<T>(-X.e2_e3_nb, Y.e1_e3_n, meetc::multiply_add<T>(X.e2_e3_n, Y.e1_e3_nb,
-      t8));
-  const T t10 = meetc::number<T>(2) * meetc::multiply_add<T>(X.e3_n_nb, Y.e1_e2_e3, t9);
-  const T t11 = meetc::multiply_add<T>(X.e1_n_nb, Y.e2_e3_n, meetc::multiply_add<T>(-X.e1_e3_n, Y.e2_n_nb,
+  const T t7 = meetc::multiply_add<T>(-X.e2_e3_nb, Y.e1_e3_n, meetc::multiply_add<T>(X.e2_e3_n, Y.e1_e3_nb,
+      t6));
+  const T meet_e3 = meetc::number<T>(2) * meetc::multiply_add<T>(X.e3_n_nb, Y.e1_e2_e3, t7);
+  const T t8 = meetc::multiply_add<T>(X.e1_n_nb, Y.e2_e3_n, meetc::multiply_add<T>(-X.e1_e3_n, Y.e2_n_nb,
       X.e1_e2_n * Y.e3_n_nb));
-  const T t12 = meetc::multiply_add<T>(-X.e2_n_nb, Y.e1_e3_n, meetc::multiply_add<T>(X.e2_e3_n, Y.e1_n_nb,
-      t11));
-  const T t13 = meetc::multiply_add<T>(t10, t10, meetc::multiply_add<T>(t7, t7, t4 * t4));
-  const T t14 = meetc::multiply_add<T>(meetc::number<T>(2) * meetc::multiply_add<T>(X.e3_n_nb, Y.e1_e2_nb,
-      t1), meetc::multiply_add<T>(X.e3_n_nb, Y.e1_e2_n, t12) * meetc::number<T>(8), t13);
-  return t14;
+  const T t9 = meetc::multiply_add<T>(-X.e2_n_nb, Y.e1_e3_n, meetc::multiply_add<T>(X.e2_e3_n, Y.e1_n_nb,
+      t8));
+  const T t10 = meetc::multiply_add<T>(meet_e3, meet_e3, meetc::multiply_add<T>(meet_e2, meet_e2,
+      meet_e1 * meet_e1));
+  const T norm2 = meetc::multiply_add<T>(meetc::number<T>(2) * meetc::multiply_add<T>(X.e3_n_nb, Y.e1_e2_nb,
+      t1), meetc::multiply_add<T>(X.e3_n_nb, Y.e1_e2_n, t9) * meetc::number<T>(8), t10);
+  return norm2;
 }
 
 // norm2(meet(circle, circle)) from stored numbers, in differences if it is translation invariant; B is not computed.

@@ -38,18 +38,20 @@ template <class T> MEETC_HD constexpr T norm2_meet(const circle_blade<T> &X,
       t0));
   const T t2 = meetc::multiply_add<T>(-X.e1_e3_nb, Y.e1_e2_n, meetc::multiply_add<T>(X.e1_e2_e3, Y.e1_n_nb,
       X.e1_e2_nb * Y.e1_e3_n));
-  const T t3 = meetc::number<T>(2) * t2;
-  const T t4 = meetc::multiply_add<T>(-X.e2_e3_nb, Y.e1_e2_n, meetc::multiply_add<T>(X.e1_e2_e3, Y.e2_n_nb,
+  const T meet_e1 = meetc::number<T>(2) * t2;
+  const T t3 = meetc::multiply_add<T>(-X.e2_e3_nb, Y.e1_e2_n, meetc::multiply_add<T>(X.e1_e2_e3, Y.e2_n_nb,
       X.e1_e2_nb * Y.e2_e3_n));
-  const T t5 = meetc::number<T>(2) * t4;
-  const T t6 = meetc::multiply_add<T>(-X.e2_e3_nb, Y.e1_e3_n, meetc::multiply_add<T>(X.e1_e2_e3, Y.e3_n_nb,
+  const T meet_e2 = meetc::number<T>(2) * t3;
+  const T t4 = meetc::multiply_add<T>(-X.e2_e3_nb, Y.e1_e3_n, meetc::multiply_add<T>(X.e1_e2_e3, Y.e3_n_nb,
       X.e1_e3_nb * Y.e2_e3_n));
-  const T t7 = meetc::number<T>(2) * t6;
-  const T t8 = meetc::multiply_add<T>(X.e2_e3_nb, Y.e1_n_nb, meetc::multiply_add<T>(-X.e1_e3_nb, Y.e2_n_nb,
+  const T meet_e3 = meetc::number<T>(2) * t4;
+  const T t5 = meetc::multiply_add<T>(X.e2_e3_nb, Y.e1_n_nb, meetc::multiply_add<T>(-X.e1_e3_nb, Y.e2_n_nb,
       X.e1_e2_nb * Y.e3_n_nb));
-  const T t9 = meetc::multiply_add<T>(meetc::number<T>(2) * t8, meetc::multiply_add<T>(X.e3_n_nb, Y.e1_e2_n,
-      t1) * meetc::number<T>(8), meetc::multiply_add<T>(t7, t7, meetc::multiply_add<T>(t5, t5, t3 * t3)));
-  return t9;
+  const T t6 = meetc::multiply_add<T>(meet_e3, meet_e3, meetc::multiply_add<T>(meet_e2, meet_e2,
+      meet_e1 * meet_e1));
+  const T norm2 = meetc::multiply_add<T>(meetc::number<T>(2) * t5, meetc::multiply_add<T>(X.e3_n_nb,
+      Y.e1_e2_n, t1) * meetc::number<T>(8), t6);
+  return norm2;
 }
 
 // norm2(meet(circle, line)) from stored numbers, in differences if it is translation invariant; B is not computed.

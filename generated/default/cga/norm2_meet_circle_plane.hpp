@@ -35,27 +35,29 @@ MEETC_NAMESPACE(cga) {
 template <class T> MEETC_HD constexpr T norm2_meet(const circle_blade<T> &X,
     const plane_blade<T> &Y) noexcept(meetc::is_built_in<T>) {
   const T t0 = meetc::multiply_add<T>(X.e1_e2_nb, Y.e1_e2_e3_n, X.e1_e2_e3 * Y.e1_e2_n_nb);
-  const T t1 = meetc::number<T>(2) * t0;
-  const T t2 = meetc::multiply_add<T>(X.e1_e3_nb, Y.e1_e2_e3_n, X.e1_e2_e3 * Y.e1_e3_n_nb);
-  const T t3 = meetc::number<T>(2) * t2;
-  const T t4 = meetc::multiply_add<T>(X.e2_e3_nb, Y.e1_e2_e3_n, X.e1_e2_e3 * Y.e2_e3_n_nb);
-  const T t5 = meetc::number<T>(2) * t4;
-  const T t6 = meetc::multiply_add<T>(-X.e1_e3_n, Y.e1_e2_n_nb, X.e1_e2_n * Y.e1_e3_n_nb);
-  const T t7 = meetc::multiply_add<T>(-X.e2_e3_n, Y.e1_e2_n_nb, X.e1_e2_n * Y.e2_e3_n_nb);
-  const T t8 = meetc::multiply_add<T>(-X.e2_e3_n, Y.e1_e3_n_nb, X.e1_e3_n * Y.e2_e3_n_nb);
-  const T t9 = meetc::multiply_add<T>(-X.e1_e3_nb, Y.e1_e2_n_nb, X.e1_e2_nb * Y.e1_e3_n_nb);
-  const T t10 = meetc::multiply_add<T>(-X.e2_e3_nb, Y.e1_e2_n_nb, X.e1_e2_nb * Y.e2_e3_n_nb);
-  const T t11 = meetc::multiply_add<T>(-X.e2_e3_nb, Y.e1_e3_n_nb, X.e1_e3_nb * Y.e2_e3_n_nb);
-  const T t12 = meetc::multiply_add<T>(-X.e2_n_nb, Y.e1_e3_n_nb, X.e1_n_nb * Y.e2_e3_n_nb);
-  const T t13 = meetc::number<T>(2) * meetc::multiply_add<T>(X.e3_n_nb, Y.e1_e2_n_nb, t12);
-  const T t14 = meetc::multiply_add<T>(X.e1_n_nb, Y.e1_e2_e3_n, t6) * meetc::number<T>(8);
-  const T t15 = meetc::multiply_add<T>(meetc::number<T>(2) * t9, t14, meetc::multiply_add<T>(t5, t5,
-      meetc::multiply_add<T>(t3, t3, t1 * t1)));
-  const T t16 = meetc::multiply_add<T>(X.e2_n_nb, Y.e1_e2_e3_n, t7) * meetc::number<T>(8);
-  const T t17 = meetc::multiply_add<T>(X.e3_n_nb, Y.e1_e2_e3_n, t8) * meetc::number<T>(8);
-  const T t18 = meetc::multiply_add<T>(meetc::number<T>(2) * t11, t17,
-      meetc::multiply_add<T>(meetc::number<T>(2) * t10, t16, t15));
-  return -meetc::multiply_add<T>(t13 * t13, meetc::number<T>(-4), t18);
+  const T meet_e1_e2 = meetc::number<T>(2) * t0;
+  const T t1 = meetc::multiply_add<T>(X.e1_e3_nb, Y.e1_e2_e3_n, X.e1_e2_e3 * Y.e1_e3_n_nb);
+  const T meet_e1_e3 = meetc::number<T>(2) * t1;
+  const T t2 = meetc::multiply_add<T>(X.e2_e3_nb, Y.e1_e2_e3_n, X.e1_e2_e3 * Y.e2_e3_n_nb);
+  const T meet_e2_e3 = meetc::number<T>(2) * t2;
+  const T t3 = meetc::multiply_add<T>(-X.e1_e3_n, Y.e1_e2_n_nb, X.e1_e2_n * Y.e1_e3_n_nb);
+  const T t4 = meetc::multiply_add<T>(-X.e2_e3_n, Y.e1_e2_n_nb, X.e1_e2_n * Y.e2_e3_n_nb);
+  const T t5 = meetc::multiply_add<T>(-X.e2_e3_n, Y.e1_e3_n_nb, X.e1_e3_n * Y.e2_e3_n_nb);
+  const T t6 = meetc::multiply_add<T>(-X.e1_e3_nb, Y.e1_e2_n_nb, X.e1_e2_nb * Y.e1_e3_n_nb);
+  const T t7 = meetc::multiply_add<T>(-X.e2_e3_nb, Y.e1_e2_n_nb, X.e1_e2_nb * Y.e2_e3_n_nb);
+  const T t8 = meetc::multiply_add<T>(-X.e2_e3_nb, Y.e1_e3_n_nb, X.e1_e3_nb * Y.e2_e3_n_nb);
+  const T t9 = meetc::multiply_add<T>(-X.e2_n_nb, Y.e1_e3_n_nb, X.e1_n_nb * Y.e2_e3_n_nb);
+  const T meet_n_nb = meetc::number<T>(2) * meetc::multiply_add<T>(X.e3_n_nb, Y.e1_e2_n_nb, t9);
+  const T t10 = meetc::multiply_add<T>(meet_e2_e3, meet_e2_e3, meetc::multiply_add<T>(meet_e1_e3, meet_e1_e3,
+      meet_e1_e2 * meet_e1_e2));
+  const T t11 = meetc::multiply_add<T>(X.e1_n_nb, Y.e1_e2_e3_n, t3) * meetc::number<T>(8);
+  const T t12 = meetc::multiply_add<T>(X.e2_n_nb, Y.e1_e2_e3_n, t4) * meetc::number<T>(8);
+  const T t13 = meetc::multiply_add<T>(meetc::number<T>(2) * t7, t12,
+      meetc::multiply_add<T>(meetc::number<T>(2) * t6, t11, t10));
+  const T t14 = meetc::multiply_add<T>(X.e3_n_nb, Y.e1_e2_e3_n, t5) * meetc::number<T>(8);
+  const T t15 = meetc::multiply_add<T>(meet_n_nb * meet_n_nb, meetc::number<T>(-4),
+      meetc::multiply_add<T>(meetc::number<T>(2) * t8, t14, t13));
+  return -t15;
 }
 
 // norm2(meet(circle, plane)) from stored numbers, in differences if it is translation invariant; B is not computed.

@@ -48,30 +48,31 @@ MEETC_NAMESPACE(cga) {
 template <class T> MEETC_HD constexpr T norm2_meet(const circle_blade<T> &X,
     const sphere_blade<T> &Y) noexcept(meetc::is_built_in<T>) {
   const T t0 = meetc::multiply_add<T>(-X.e1_e2_n, Y.e1_e2_e3_nb, X.e1_e2_e3 * Y.e1_e2_n_nb);
-  const T t1 = meetc::number<T>(2) * meetc::multiply_add<T>(X.e1_e2_nb, Y.e1_e2_e3_n, t0);
-  const T t2 = meetc::multiply_add<T>(-X.e1_e3_n, Y.e1_e2_e3_nb, X.e1_e2_e3 * Y.e1_e3_n_nb);
-  const T t3 = meetc::number<T>(2) * meetc::multiply_add<T>(X.e1_e3_nb, Y.e1_e2_e3_n, t2);
-  const T t4 = meetc::multiply_add<T>(-X.e2_e3_n, Y.e1_e2_e3_nb, X.e1_e2_e3 * Y.e2_e3_n_nb);
-  const T t5 = meetc::number<T>(2) * meetc::multiply_add<T>(X.e2_e3_nb, Y.e1_e2_e3_n, t4);
-  const T t6 = meetc::multiply_add<T>(-X.e1_e3_n, Y.e1_e2_n_nb, X.e1_e2_n * Y.e1_e3_n_nb);
-  const T t7 = meetc::multiply_add<T>(-X.e2_e3_n, Y.e1_e2_n_nb, X.e1_e2_n * Y.e2_e3_n_nb);
-  const T t8 = meetc::multiply_add<T>(-X.e2_e3_n, Y.e1_e3_n_nb, X.e1_e3_n * Y.e2_e3_n_nb);
-  const T t9 = meetc::multiply_add<T>(-X.e1_e3_nb, Y.e1_e2_n_nb, X.e1_e2_nb * Y.e1_e3_n_nb);
-  const T t10 = meetc::number<T>(2) * meetc::multiply_add<T>(X.e1_n_nb, Y.e1_e2_e3_nb, t9);
-  const T t11 = meetc::multiply_add<T>(-X.e2_e3_nb, Y.e1_e2_n_nb, X.e1_e2_nb * Y.e2_e3_n_nb);
-  const T t12 = meetc::number<T>(2) * meetc::multiply_add<T>(X.e2_n_nb, Y.e1_e2_e3_nb, t11);
-  const T t13 = meetc::multiply_add<T>(-X.e2_e3_nb, Y.e1_e3_n_nb, X.e1_e3_nb * Y.e2_e3_n_nb);
-  const T t14 = meetc::number<T>(2) * meetc::multiply_add<T>(X.e3_n_nb, Y.e1_e2_e3_nb, t13);
-  const T t15 = meetc::multiply_add<T>(-X.e2_n_nb, Y.e1_e3_n_nb, X.e1_n_nb * Y.e2_e3_n_nb);
-  const T t16 = meetc::number<T>(2) * meetc::multiply_add<T>(X.e3_n_nb, Y.e1_e2_n_nb, t15);
-  const T t17 = meetc::multiply_add<T>(X.e1_n_nb, Y.e1_e2_e3_n, t6) * meetc::number<T>(8);
-  const T t18 = meetc::multiply_add<T>(t10, t17, meetc::multiply_add<T>(t5, t5, meetc::multiply_add<T>(t3, t3,
-      t1 * t1)));
-  const T t19 = meetc::multiply_add<T>(X.e2_n_nb, Y.e1_e2_e3_n, t7) * meetc::number<T>(8);
-  const T t20 = meetc::multiply_add<T>(X.e3_n_nb, Y.e1_e2_e3_n, t8) * meetc::number<T>(8);
-  const T t21 = meetc::multiply_add<T>(t16 * t16, meetc::number<T>(-4), meetc::multiply_add<T>(t14, t20,
-      meetc::multiply_add<T>(t12, t19, t18)));
-  return -t21;
+  const T meet_e1_e2 = meetc::number<T>(2) * meetc::multiply_add<T>(X.e1_e2_nb, Y.e1_e2_e3_n, t0);
+  const T t1 = meetc::multiply_add<T>(-X.e1_e3_n, Y.e1_e2_e3_nb, X.e1_e2_e3 * Y.e1_e3_n_nb);
+  const T meet_e1_e3 = meetc::number<T>(2) * meetc::multiply_add<T>(X.e1_e3_nb, Y.e1_e2_e3_n, t1);
+  const T t2 = meetc::multiply_add<T>(-X.e2_e3_n, Y.e1_e2_e3_nb, X.e1_e2_e3 * Y.e2_e3_n_nb);
+  const T meet_e2_e3 = meetc::number<T>(2) * meetc::multiply_add<T>(X.e2_e3_nb, Y.e1_e2_e3_n, t2);
+  const T t3 = meetc::multiply_add<T>(-X.e1_e3_n, Y.e1_e2_n_nb, X.e1_e2_n * Y.e1_e3_n_nb);
+  const T t4 = meetc::multiply_add<T>(-X.e2_e3_n, Y.e1_e2_n_nb, X.e1_e2_n * Y.e2_e3_n_nb);
+  const T t5 = meetc::multiply_add<T>(-X.e2_e3_n, Y.e1_e3_n_nb, X.e1_e3_n * Y.e2_e3_n_nb);
+  const T t6 = meetc::multiply_add<T>(-X.e1_e3_nb, Y.e1_e2_n_nb, X.e1_e2_nb * Y.e1_e3_n_nb);
+  const T meet_e1_nb = meetc::number<T>(2) * meetc::multiply_add<T>(X.e1_n_nb, Y.e1_e2_e3_nb, t6);
+  const T t7 = meetc::multiply_add<T>(-X.e2_e3_nb, Y.e1_e2_n_nb, X.e1_e2_nb * Y.e2_e3_n_nb);
+  const T meet_e2_nb = meetc::number<T>(2) * meetc::multiply_add<T>(X.e2_n_nb, Y.e1_e2_e3_nb, t7);
+  const T t8 = meetc::multiply_add<T>(-X.e2_e3_nb, Y.e1_e3_n_nb, X.e1_e3_nb * Y.e2_e3_n_nb);
+  const T meet_e3_nb = meetc::number<T>(2) * meetc::multiply_add<T>(X.e3_n_nb, Y.e1_e2_e3_nb, t8);
+  const T t9 = meetc::multiply_add<T>(-X.e2_n_nb, Y.e1_e3_n_nb, X.e1_n_nb * Y.e2_e3_n_nb);
+  const T meet_n_nb = meetc::number<T>(2) * meetc::multiply_add<T>(X.e3_n_nb, Y.e1_e2_n_nb, t9);
+  const T t10 = meetc::multiply_add<T>(meet_e2_e3, meet_e2_e3, meetc::multiply_add<T>(meet_e1_e3, meet_e1_e3,
+      meet_e1_e2 * meet_e1_e2));
+  const T t11 = meetc::multiply_add<T>(X.e1_n_nb, Y.e1_e2_e3_n, t3) * meetc::number<T>(8);
+  const T t12 = meetc::multiply_add<T>(X.e2_n_nb, Y.e1_e2_e3_n, t4) * meetc::number<T>(8);
+  const T t13 = meetc::multiply_add<T>(meet_e2_nb, t12, meetc::multiply_add<T>(meet_e1_nb, t11, t10));
+  const T t14 = meetc::multiply_add<T>(X.e3_n_nb, Y.e1_e2_e3_n, t5) * meetc::number<T>(8);
+  const T t15 = meetc::multiply_add<T>(meet_n_nb * meet_n_nb, meetc::number<T>(-4),
+      meetc::multiply_add<T>(meet_e3_nb, t14, t13));
+  return -t15;
 }
 
 // norm2(meet(circle, sphere)) from stored numbers, in differences if it is translation invariant; B is not computed.

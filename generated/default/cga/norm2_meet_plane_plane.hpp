@@ -26,8 +26,9 @@ template <class T> MEETC_HD constexpr T norm2_meet(const plane_blade<T> &X,
   const T t3 = meetc::number<T>(2) * t2;
   const T t4 = meetc::multiply_add<T>(-X.e2_e3_n_nb, Y.e1_e3_n_nb, X.e1_e3_n_nb * Y.e2_e3_n_nb);
   const T t5 = meetc::number<T>(2) * t4;
-  const T t6 = meetc::number<T>(4) * meetc::multiply_add<T>(t5, t5, meetc::multiply_add<T>(t3, t3, t1 * t1));
-  return t6;
+  const T norm2 = meetc::number<T>(4) * meetc::multiply_add<T>(t5, t5, meetc::multiply_add<T>(t3, t3,
+      t1 * t1));
+  return norm2;
 }
 
 // norm2(meet(plane, plane)) from stored numbers, in differences if it is translation invariant; B is not computed.

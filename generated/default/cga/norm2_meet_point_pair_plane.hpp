@@ -35,17 +35,19 @@ template <class T> MEETC_HD constexpr T norm2_meet(const point_pair_blade<T> &X,
   const T t1 = meetc::number<T>(2) * t0;
   const T t2 = meetc::multiply_add<T>(-X.e2_nb, Y.e1_e2_e3_n, meetc::multiply_add<T>(-X.e2_e3, Y.e1_e2_n_nb,
       X.e1_e2 * Y.e2_e3_n_nb));
-  const T t3 = meetc::number<T>(2) * t2;
-  const T t4 = meetc::multiply_add<T>(-X.e3_nb, Y.e1_e2_e3_n, meetc::multiply_add<T>(-X.e2_e3, Y.e1_e3_n_nb,
+  const T bracket_e1_e3_n_nb = meetc::number<T>(2) * t2;
+  const T t3 = meetc::multiply_add<T>(-X.e3_nb, Y.e1_e2_e3_n, meetc::multiply_add<T>(-X.e2_e3, Y.e1_e3_n_nb,
       X.e1_e3 * Y.e2_e3_n_nb));
-  const T t5 = meetc::number<T>(2) * t4;
-  const T t6 = meetc::multiply_add<T>(X.e3_n, Y.e1_e2_n_nb, meetc::multiply_add<T>(-X.e2_n, Y.e1_e3_n_nb,
+  const T t4 = meetc::number<T>(2) * t3;
+  const T t5 = meetc::multiply_add<T>(X.e3_n, Y.e1_e2_n_nb, meetc::multiply_add<T>(-X.e2_n, Y.e1_e3_n_nb,
       X.e1_n * Y.e2_e3_n_nb));
-  const T t7 = meetc::multiply_add<T>(X.e3_nb, Y.e1_e2_n_nb, meetc::multiply_add<T>(-X.e2_nb, Y.e1_e3_n_nb,
+  const T t6 = meetc::multiply_add<T>(X.e3_nb, Y.e1_e2_n_nb, meetc::multiply_add<T>(-X.e2_nb, Y.e1_e3_n_nb,
       X.e1_nb * Y.e2_e3_n_nb));
-  const T t8 = meetc::multiply_add<T>(meetc::number<T>(2) * t7, meetc::multiply_add<T>(-X.n_nb, Y.e1_e2_e3_n,
-      t6) * meetc::number<T>(8), meetc::multiply_add<T>(t5, t5, meetc::multiply_add<T>(t3, t3, t1 * t1)));
-  return t8;
+  const T t7 = meetc::multiply_add<T>(t4, t4, meetc::multiply_add<T>(bracket_e1_e3_n_nb, bracket_e1_e3_n_nb,
+      t1 * t1));
+  const T norm2 = meetc::multiply_add<T>(meetc::number<T>(2) * t6, meetc::multiply_add<T>(-X.n_nb,
+      Y.e1_e2_e3_n, t5) * meetc::number<T>(8), t7);
+  return norm2;
 }
 
 // norm2(meet(point_pair, plane)) from stored numbers, in differences if it is translation invariant; B is not computed.

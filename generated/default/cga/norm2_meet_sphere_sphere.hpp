@@ -41,8 +41,8 @@ template <class T> MEETC_HD constexpr T norm2_meet(const sphere_blade<T> &X,
   const T t5 = meetc::multiply_add<T>(X.e1_e2_n_nb, Y.e1_e2_n_nb, X.e1_e3_n_nb * Y.e1_e3_n_nb);
   const T t6 = meetc::multiply_add<T>(meetc::multiply_add<T>(X.e2_e3_n_nb, Y.e2_e3_n_nb, t5),
       meetc::number<T>(-2), t4);
-  const T t7 = meetc::number<T>(4) * meetc::multiply_add<T>(-t6, t6, meetc::number<T>(4) * (t1 * t3));
-  return t7;
+  const T norm2 = meetc::number<T>(4) * meetc::multiply_add<T>(-t6, t6, meetc::number<T>(4) * (t1 * t3));
+  return norm2;
 }
 
 // norm2(meet(sphere, sphere)) from stored numbers, in differences if it is translation invariant; B is not computed.

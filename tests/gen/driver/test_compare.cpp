@@ -198,3 +198,25 @@ TEST_CASE("compare --kernels: the same kernel in two algebras, side by side") {
   CHECK(touch[1] == "2");
   CHECK(std::stod(touch[2]) > 1);
 }
+
+TEST_CASE("compare: scenes of one name are told apart by their paths, and columns are as wide as what they show") {
+  const temporary_folder folder;
+  const char *const text =
+      "[scene]\nalgebra = 'cga3.toml'\nnamespace = 'x'\nkernels = ['norm2(meet(sphere, sphere))']\n";
+  for (const char *name : {"a/s.toml", "b/s.toml", "größe.toml", "球.toml"})
+    folder.write(name, text);
+  const outcome o = run_meetc("compare a/s.toml b/s.toml größe.toml 球.toml --kernels", folder.path());
+  REQUIRE(o.code == 0);
+  CHECK_THAT(o.out, contains("a/s.toml: mul/add") && contains("b/s.toml: mul/add") && contains("größe: mul/add"));
+  std::istringstream lines(o.out);
+  std::vector<std::string> rows(5);
+  for (std::string &row : rows)
+    std::getline(lines, row);
+  // "kernels" ends where the digit below it does: two bytes of größe are one column, and three of 球 are two.
+  const std::size_t at = rows[0].find("kernels") + 6;
+  CHECK(rows[1].substr(0, at + 1).back() == '1');
+  CHECK(rows[3].starts_with("größe   "));
+  CHECK(rows[3].substr(0, at + 3).back() == '1');
+  CHECK(rows[4].substr(0, at + 2).back() == '1');
+  CHECK(at == std::string("a/s.toml").size() + 2 + 6);
+}

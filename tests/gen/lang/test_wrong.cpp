@@ -63,6 +63,9 @@ TEST_CASE("wrong specs: signs") {
 TEST_CASE("wrong specs: relations, and what is read back") {
   check_rows("relations");
 }
+TEST_CASE("wrong specs: the order of blades") {
+  check_rows("order");
+}
 TEST_CASE("wrong specs: scenes") {
   check_rows("scene");
 }

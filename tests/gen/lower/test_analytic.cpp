@@ -23,6 +23,13 @@ const broken rows[] = {
     {"", "", "s.toml:4:19", "no kind 'sphre'", "sphre", "", "'gives(sphre)'"},
     {"", "", "s.toml:4:13", "the algebra has no table [gives.sphere]; it has none of [gives.KIND]", "gives(sphere)", "",
      "'gives(sphere)'"},
+    {"", "", "s.toml:4:13",
+     "'gives(*)' stands for the kinds with a table [gives.KIND], and the algebra has no such table; write one in the "
+     "algebra, as [gives.point] with a line for each thing that is read back",
+     "gives(*)", "", "'gives(*)'"},
+    {"", "", "s.toml:4:17",
+     "'*' stands for kinds in 'gives(*)' and in formulas, and not in 'exp(*)'; name the kind, as in 'exp(point)'", "*",
+     "", "'exp(*)'"},
     {"", "", "s.toml:4:13", "the blade of 'sphere' has n and nb, which are not orthogonal", "log(sphere)", "",
      "'log(sphere)'"},
     {"[functions]", "[gives.ball]\nr = '1'\n[functions]", "a.toml:30:8",
@@ -93,7 +100,7 @@ TEST_CASE("functions of motions refuse what is none, by name") {
   CHECK_THAT(refused(folder, "sqrt(boost)"), contains("the blade of 'boost' has m, which squares to -1"));
   // Points that are vectors are not moved by a translation of this algebra.
   CHECK_THAT(refused(folder, "pose(motor)"), contains("V point ~V, which is not the moved point"));
-  CHECK_THAT(refused(folder, "pose(*)"), contains("no kind '*'"));
+  CHECK_THAT(refused(folder, "pose(*)"), contains("not in 'pose(*)'; name the kind, as in 'pose(point)'"));
 }
 
 TEST_CASE("the backend glsl carries no roots, and a declared function hides what is none of the algebra's") {
@@ -117,4 +124,35 @@ TEST_CASE("the table of functions that are no polynomials in docs/spec.md is tha
   for (const lang::analytic &f : lang::analytics())
     table += fmt::format("| {} | {} |\n", f.form, f.value);
   CHECK_THAT(read(source_folder() / "docs" / "spec.md"), contains("| kernel | value |\n|---|---|\n" + table + "\n"));
+}
+
+TEST_CASE("gives(*) stands for every kind with a table, and for no other") {
+  const temporary_folder folder;
+  const auto asked = [&](const std::string &algebra, const char *more) {
+    folder.write("s.toml", fmt::format("[scene]\nalgebra = '{}'\nnamespace = 'k'\nkernels = ['gives(*)']\n{}",
+                                       (source_folder() / "algebra_spec" / algebra).string(), more));
+    compilation c = load((folder.path() / "s.toml").string());
+    compile_all(c);
+    std::vector<std::string> out;
+    for (const lower::analytic_kernel &k : c.analytic)
+      out.push_back(k.text);
+    return out;
+  };
+  CHECK(asked("cga3_gives.toml", "") == std::vector<std::string>{"gives(point)", "gives(sphere)", "gives(plane)",
+                                                                 "gives(line)", "gives(circle)", "gives(point_pair)",
+                                                                 "gives(flat_point)"});
+  CHECK(asked("cga3_gives.toml", "kinds = ['line', 'segment', 'sphere']\n") ==
+        std::vector<std::string>{"gives(sphere)", "gives(line)"});
+  const outcome o = run_meetc("show s.toml", folder.path());
+  CHECK_THAT(o.out, contains("gives(line)") && contains("no polynomial") && !contains("*"));
+  CHECK(run_meetc("generate s.toml -o out", folder.path()).code == 0);
+  CHECK_THAT(read(folder.path() / "out" / "k" / "gives_line.hpp"), contains("struct line_given"));
+  // None of the scene's kinds has one.
+  folder.write("s.toml", "[scene]\nalgebra = 'cga3_gives.toml'\nnamespace = 'k'\nkernels = ['gives(*)']\n"
+                         "kinds = ['segment']\n");
+  const outcome none = run_meetc("show s.toml", folder.path());
+  CHECK(none.code == 2);
+  CHECK_THAT(none.err,
+             contains("s.toml:4:13: error: 'gives(*)' stands for the kinds with a table [gives.KIND], and none "
+                      "of the scene's kinds has one, only point, sphere,"));
 }
