@@ -73,12 +73,14 @@ std::string summary(const self_report &r) {
       fmt::format("A  {}  {}  box {}{}\n", r.name, counted(r.a), in_words(r.bounds), r.moved ? ", moved" : "");
   if (r.a.rounded.numbers > 0)
     out += fmt::format("Rounded to float32: {}.\n", in_words(r.a.rounded, " of A"));
-  out += r.pairs == 0 ? "\nNo two faces meet beyond their common corners: 0 pairs.\n"
-                      : fmt::format("\n{} {} beyond {} common corners: {}.\n", grouped(r.pairs),
-                                    r.pairs == 1 ? "pair of faces meets" : "pairs of faces meet", "their",
-                                    counted(r.a, r.touched));
+  out += r.pairs == 0
+             ? "\nNo two faces meet beyond their common corners: 0 pairs.\n"
+             : fmt::format("\n{} {} beyond their common corners: {}.\n", grouped(r.pairs),
+                           r.pairs == 1 ? "pair of faces meets" : "pairs of faces meet", counted(r.a, r.touched));
   out += area_line(r);
   out += r.merged ? "Corners with equal coordinates are one.\n" : "Corners are one where their vertex is.\n";
+  if (!r.a.owner.empty())
+    out += "Common corners are those of the triangles into which polygons were cut.\n";
   out +=
       fmt::format("\n{} pairs with one common corner, {} with two, {} with three, and {} other candidates decided\n",
                   grouped(f.neighbours[0]), grouped(f.neighbours[1]), grouped(f.neighbours[2]), grouped(f.candidates));

@@ -26,7 +26,9 @@ struct self_options {
   // Corners with equal coordinates are one, as in a file without vertices. Else corners are one if their index is: sheets
   // that lie on each other then meet.
   bool merge = true;
-  std::span<const std::uint32_t> owner = {}; // as in collide_options: no pair of elements of one item counts
+  // As in collide_options: no pair of elements of one item counts. Common corners are those of elements: where items share a
+  // border of three corners in line, and are cut into elements otherwise there, these elements meet beyond their corners.
+  std::span<const std::uint32_t> owner = {};
   std::function<void(double fraction)> progress = {};
 };
 
