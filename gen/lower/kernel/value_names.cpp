@@ -12,9 +12,12 @@ namespace {
 constexpr int points = 2; // a name is no proof
 constexpr long most_steps_named = 200'000;
 
+// The coefficients of a multivector of numbers.
+using coefficients = std::map<blade, rational>;
+
 struct named_value {
   std::string name;
-  multivector value;
+  coefficients value;
 };
 using named_values = std::vector<named_value>;
 
@@ -38,7 +41,7 @@ public:
 
   void add(const std::string &name, const value &v, const location &where) {
     if (std::holds_alternative<multivector>(v.is) || std::holds_alternative<std::shared_ptr<const object>>(v.is))
-      out_.push_back({name, expand_.blade_of(v, where)});
+      record(name, expand_.blade_of(v, where));
   }
 
   // The calls in an expression, and in the functions that they name, outer ones first.
@@ -64,11 +67,11 @@ public:
     for (const auto &[name, v] : operands) {
       of.push_back(expand_.blade_of(v, {}));
       const multivector square = algebra::geometric(basis, of.back(), algebra::reverse(of.back()));
-      out_.push_back({"rnorm2_" + name, algebra::grade_part(square, 0)});
-      out_.push_back({name + "_rev_" + name, square});
+      record("rnorm2_" + name, algebra::grade_part(square, 0));
+      record(name + "_rev_" + name, square);
     }
     if (of.size() == 2)
-      out_.push_back({"bracket", algebra::geometric(basis, of[0], of[1]) - algebra::geometric(basis, of[1], of[0])});
+      record("bracket", algebra::geometric(basis, of[0], of[1]) - algebra::geometric(basis, of[1], of[0]));
   }
 
   named_values take() { return std::move(out_); }
@@ -81,6 +84,12 @@ private:
   expander expand_;
   named_values out_;
 
+  void record(const std::string &name, const multivector &v) {
+    named_value n{name, {}};
+    for (const auto &[at, c] : v.terms())
+      n.value.emplace(at, c.constant());
+    out_.push_back(std::move(n));
+  }
   rational next() { return mpz_class(std::to_string(ir::residue_input(point_, next_++))); }
 };
 
@@ -127,9 +136,9 @@ private:
   std::set<std::string> used_;
 };
 
-std::string coefficient_name(const model &m, const std::string &of, const multivector &v, blade at) {
+std::string coefficient_name(const model &m, const std::string &of, const coefficients &v, blade at) {
   if (at == 0)
-    return v.is_scalar() ? of : of + "_scalar";
+    return v.size() == 1 ? of : of + "_scalar";
   return of + '_' + m.working().name(at, "_");
 }
 
@@ -138,21 +147,17 @@ using key = std::vector<std::uint64_t>; // a value at the points
 // The names of the coefficients, by value; the first one counts. Calls of one name with different values are numbered.
 std::map<key, std::string> names_by_value(const model &m, const std::vector<named_values> &at) {
   std::map<key, std::string> out;
-  std::map<std::string, std::vector<const multivector *>> known;
-  const auto same = [](const multivector &a, const multivector &b) {
-    return std::equal(a.terms().begin(), a.terms().end(), b.terms().begin(), b.terms().end(),
-                      [](const auto &x, const auto &y) { return x.first == y.first && x.second == y.second; });
-  };
+  std::map<std::string, std::vector<coefficients>> known;
   for (std::size_t i = 0; i < at[0].size() && i < at[1].size(); ++i) {
-    const multivector &v = at[0][i].value;
-    std::vector<const multivector *> &others = known[at[0][i].name];
-    if (std::any_of(others.begin(), others.end(), [&](const multivector *o) { return same(*o, v); }))
+    const coefficients &v = at[0][i].value;
+    std::vector<coefficients> &others = known[at[0][i].name];
+    if (std::find(others.begin(), others.end(), v) != others.end())
       continue;
-    others.push_back(&v);
+    others.push_back(v);
     const std::string name = others.size() == 1 ? at[0][i].name : fmt::format("{}_{}", at[0][i].name, others.size());
-    for (const auto &[b, c] : v.terms())
-      if (const poly::poly *other = at[1][i].value.find(b))
-        out.try_emplace(ir::residues({c.constant(), other->constant()}), coefficient_name(m, name, v, b));
+    for (const auto &[b, c] : v)
+      if (const auto other = at[1][i].value.find(b); other != at[1][i].value.end())
+        out.try_emplace(ir::residues(std::vector<rational>{c, other->second}), coefficient_name(m, name, v, b));
   }
   return out;
 }
