@@ -128,7 +128,7 @@ TEST_CASE("comments and blanks change the hash in the banner and nothing else") 
 TEST_CASE("every table is strict: an unknown key is an error, and the message names the known ones") {
   const std::string base = small_algebra;
   const std::pair<std::string, std::string> places[] = {
-      {"[algebra]\n", "vectors, squares, metric, null, import"},
+      {"[algebra]\n", "vectors, squares, metric, null, order, import"},
       {"[kinds.point]\n", "store, blade, grades, from, parts, where, hull, pad, position"},
       {"[functions.'meet(X, Y)']\n", "is, where"},
       {"[predicates.touch]\n", "of, let, reject, hit, mode"},
