@@ -147,8 +147,7 @@ const broken contacts[] = {
      "[kinds.triangle]\nstore = ['a: point', 'b: point', 'c: point']\nblade = 'a ^ b ^ c ^ n'\nhull = '[a, b, c]'\n"
      "[predicates.cross]\nof = ['s: segment', 't: triangle']\nhit = 'side(t, s.p) == 0'\ncontacts = 'meet'\n"
      "[kinds.segment]",
-     "a.toml:31:12", "'meet' tells the contacts of cross and must be a sign", "'meet'", "",
-     "'meet(triangle, point)'"},
+     "a.toml:31:12", "'meet' tells the contacts of cross and must be a sign", "'meet'", "", "'meet(triangle, point)'"},
 };
 } // namespace
 

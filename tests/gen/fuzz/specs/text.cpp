@@ -37,20 +37,20 @@ std::string repeat(const std::string &text, std::size_t times) {
 
 const std::vector<std::string> &words() {
   static const std::vector<std::string> all{
-      "+",       "-",        "*",          "/",         "^",          "|",         "&",       "~",        "(",
-      ")",       "[",        "]",          ",",         ".",          ":",         "=",       "==",       "<=",
-      ">",       "!=",       "'",          "'''",       "\"",         "#",         "\n",      "0",        "1",
-      "2",       "1/3",      "0.5",        "-1",        "4096",       "e1",        "e12",     "e0",       "I",
-      "n",       "nb",       "grade",      "sign",      "zero",       "rev",       "dual",    "undual",   "rc",
-      "lc",      "dot",      "commutator", "sandwich",  "reflect",    "project",   "inverse", "rnorm2",   "scalar",
-      "conj",    "involute", "all",        "any",       "each",       "in",        "if",      "then",     "else",
-      "and",     "or",       "not",        "exp",       "log",        "sqrt",      "pose",    "gives",    "norm",
-      "real",    "store",    "blade",      "grades",    "where",      "hull",      "pad",     "position", "relations",
-      "samples", "nearly",   "within",     "is",        "of",         "from",      "parts",   "let",      "reject",
-      "hit",     "mode",     "orders",     "contacts",  "vectors",   "squares",    "metric",    "null",    "import",   "extends",
-      "spec",    "algebra",  "kinds",      "functions", "predicates", "constants", "scene",   "kernels",  "zero",
-      "rungs",   "backends", "box",        "tolerance", "true",       "false",     "[[",      "]]",       "{",
-      "}",       "meet",     "norm2"};
+      "+",       "-",        "*",          "/",        "^",         "|",          "&",         "~",        "(",
+      ")",       "[",        "]",          ",",        ".",         ":",          "=",         "==",       "<=",
+      ">",       "!=",       "'",          "'''",      "\"",        "#",          "\n",        "0",        "1",
+      "2",       "1/3",      "0.5",        "-1",       "4096",      "e1",         "e12",       "e0",       "I",
+      "n",       "nb",       "grade",      "sign",     "zero",      "rev",        "dual",      "undual",   "rc",
+      "lc",      "dot",      "commutator", "sandwich", "reflect",   "project",    "inverse",   "rnorm2",   "scalar",
+      "conj",    "involute", "all",        "any",      "each",      "in",         "if",        "then",     "else",
+      "and",     "or",       "not",        "exp",      "log",       "sqrt",       "pose",      "gives",    "norm",
+      "real",    "store",    "blade",      "grades",   "where",     "hull",       "pad",       "position", "relations",
+      "samples", "nearly",   "within",     "is",       "of",        "from",       "parts",     "let",      "reject",
+      "hit",     "mode",     "orders",     "contacts", "vectors",   "squares",    "metric",    "null",     "import",
+      "extends", "spec",     "algebra",    "kinds",    "functions", "predicates", "constants", "scene",    "kernels",
+      "zero",    "rungs",    "backends",   "box",      "tolerance", "true",       "false",     "[[",       "]]",
+      "{",       "}",        "meet",       "norm2"};
   return all;
 }
 
