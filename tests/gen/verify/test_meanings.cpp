@@ -103,9 +103,9 @@ const mutation mutations[] = {
     {"beyond_edge", "v[k] < w[k] and w[k] < p[k]", "w[k] < p[k]"},
 };
 
-verify::report verified(const spec_copy &copy, long cases, unsigned seed) {
+verify::report verified(const spec_copy &copy, long pairs, unsigned seed) {
   const compilation c = copy.compile();
-  return verify::verify_predicate(*c.model, c.kernels.front(), cases, seed);
+  return verify::verify_predicate(*c.model, c.kernels.front(), pairs, seed);
 }
 
 // As many small runs as it takes to see a mistake.
