@@ -18,7 +18,7 @@ using namespace meetc::bodies;
 TEST_CASE("brute force finds what the search finds, and its sample is a part of it") {
   const meetc::catalogue &all = cga::catalogue();
   const meetc::io::element_set a = of_mesh(all, torus(25, 20)), b = of_mesh(all, knot(100, 25));
-  const choice by = choose(all, *a.kind, *b.kind, {}, {});
+  const meetc::choice by = choose(all, *a.kind, *b.kind, {}, {});
   query h;
   h.by = by;
   const std::uint64_t pairs = collide_sets(a, b, h).pairs;

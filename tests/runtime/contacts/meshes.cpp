@@ -28,7 +28,7 @@ mesh sheet(int n, int m, const std::function<void(double u, double v, float *at)
   return out;
 }
 
-mesh box(float x, float y, float z, float a, float b, float c) {
+mesh cuboid(float x, float y, float z, float a, float b, float c) {
   mesh out;
   for (int i = 0; i < 8; ++i)
     for (const float v : {(i & 1) != 0 ? a : x, (i & 2) != 0 ? b : y, (i & 4) != 0 ? c : z})

@@ -27,7 +27,7 @@ struct mesh {
 // The points of f over a grid of n x m cells, two triangles each; equal points stay apart.
 mesh sheet(int n, int m, const std::function<void(double u, double v, float *at)> &f);
 // A box of 12 triangles.
-mesh box(float x, float y, float z, float a, float b, float c);
+mesh cuboid(float x, float y, float z, float a, float b, float c);
 mesh sphere(int n, int m, double radius, double x = 0, double y = 0, double z = 0);
 // The second after the first.
 void append(mesh &to, const mesh &more);

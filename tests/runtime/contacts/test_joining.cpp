@@ -102,19 +102,19 @@ mesh plane(int n, double (*height)(double u, double v)) {
 } // namespace
 
 TEST_CASE("nodes are the exact points of embedded meshes, and pieces their segments") {
-  const mesh cube = box(0, 0, 0, 2, 2, 2);
+  const mesh cube = cuboid(0, 0, 0, 2, 2, 2);
   std::mt19937 random(1);
-  check_against_truth(cube, box(1, 1, 1, 3, 3, 3));
-  check_against_truth(cube, box(2, 0, 0, 4, 2, 2)); // face to face
-  check_against_truth(cube, box(2, 1, 1, 4, 3, 3));
-  check_against_truth(cube, box(2, 2, 0, 3, 3, 2)); // along an edge
-  check_against_truth(cube, box(2, 2, 2, 3, 3, 3)); // at a corner
-  check_against_truth(cube, box(0, 0, 0, 1, 1, 1)); // inside, with three faces in common
+  check_against_truth(cube, cuboid(1, 1, 1, 3, 3, 3));
+  check_against_truth(cube, cuboid(2, 0, 0, 4, 2, 2)); // face to face
+  check_against_truth(cube, cuboid(2, 1, 1, 4, 3, 3));
+  check_against_truth(cube, cuboid(2, 2, 0, 3, 3, 2)); // along an edge
+  check_against_truth(cube, cuboid(2, 2, 2, 3, 3, 3)); // at a corner
+  check_against_truth(cube, cuboid(0, 0, 0, 1, 1, 1)); // inside, with three faces in common
   for (int i = 0; i < 12; ++i) {
     const auto number = [&random](int n) { return static_cast<float>(random() % static_cast<unsigned>(n)); };
     const float x = number(4) - 1, y = number(4) - 1, z = number(4) - 1;
-    check_against_truth(cube, box(x, y, z, x + 1 + number(2), y + 1 + number(2), z + 1 + number(2)));
-    check_against_truth(sphere(4, 5, 2, 0.25 * number(4)), box(x, y, z, x + 1.5F, y + 1.25F, z + 1));
+    check_against_truth(cube, cuboid(x, y, z, x + 1 + number(2), y + 1 + number(2), z + 1 + number(2)));
+    check_against_truth(sphere(4, 5, 2, 0.25 * number(4)), cuboid(x, y, z, x + 1.5F, y + 1.25F, z + 1));
   }
 }
 
@@ -123,7 +123,7 @@ TEST_CASE("segments and a mesh") {
   edges.corners = 2;
   edges.points = {-1, 1, 1, 3, 1, 1, 0, 0, -1, 0, 0, 3, 1, 2, 0.5F, 1, 2, 1.5F, 5, 5, 5, 5, 5, 5, 2, 2, 2, 2, 2, 2};
   edges.index = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
-  check_against_truth(edges, box(0, 0, 0, 2, 2, 2));
+  check_against_truth(edges, cuboid(0, 0, 0, 2, 2, 2));
 }
 
 TEST_CASE("a sphere and a plane meet in one closed curve") {
@@ -171,7 +171,7 @@ TEST_CASE("in general position each pair is a piece, along the cross product of 
 }
 
 TEST_CASE("faces of two boxes in one plane overlap in patches, whose outline is a polyline") {
-  const auto c = contacts_of(box(0, 0, 0, 2, 2, 2), box(0.5F, 0.5F, 2, 1.5F, 1.5F, 3));
+  const auto c = contacts_of(cuboid(0, 0, 0, 2, 2, 2), cuboid(0.5F, 0.5F, 2, 1.5F, 1.5F, 3));
   double area = 0;
   for (std::size_t i = 0; i < c.patches.size(); ++i) {
     const auto p = c.patches[i];
@@ -205,7 +205,7 @@ TEST_CASE("an answer does not depend on threads, and its coordinates in both typ
 }
 
 TEST_CASE("bad calls are refused") {
-  const mesh a = box(0, 0, 0, 1, 1, 1);
+  const mesh a = cuboid(0, 0, 0, 1, 1, 1);
   const predicate_info &p = predicate_for(a), &other = find_predicate(cga::catalogue(), "segment_segment");
   const std::vector<index_pair> beyond{{0, 12}}, none;
   CHECK_THROWS_AS(contacts(a.view(), a.view(), p, beyond), std::out_of_range);
