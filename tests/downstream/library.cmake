@@ -24,10 +24,10 @@ build("${ROOM}/geometry")
 run("${ROOM}/geometry-build/geometry")
 expect("square 1024, coefficient of e1^n 16 hit 1")
 
-# Everything that is installed lies in one folder of its own, and adds three names to a program's path.
+# Everything that is installed lies in one folder of its own, and adds four names to a program's path.
 file(GLOB headers RELATIVE "${RUNTIME_PREFIX}/include" "${RUNTIME_PREFIX}/include/*" "${RUNTIME_PREFIX}/include/meetc/*")
 list(SORT headers)
-if(NOT headers STREQUAL "meetc;meetc/cga;meetc/meet;meetc/meetc")
+if(NOT headers STREQUAL "meetc;meetc/cga;meetc/meet;meetc/meetc;meetc/neighbours")
   fail("installed: ${headers}")
 endif()
 
