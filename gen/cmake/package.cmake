@@ -34,6 +34,7 @@ set(MEETC_ALGEBRA_DIR "${PROJECT_SOURCE_DIR}/algebra_spec" CACHE INTERNAL "Folde
 # The headers for users, below runtime/. Headers that only others of the runtime include are not installed.
 set(MEETC_CORE_HEADERS answers/answers.hpp query/collide.hpp query/evaluate.hpp query/find.hpp query/pairs.hpp sets/prepared.hpp views/check.hpp
   views/memory.hpp views/pose.hpp views/status.hpp views/view.hpp)
+set(MEETC_WORLD_HEADERS contacts/contacts.hpp query/fitting.hpp query/self_pairs.hpp world/world.hpp)
 set(MEETC_DEVICE_HEADERS answers/device_result.hpp collide.hpp evaluate.hpp every_pair/engine.hpp group.hpp memory/device.hpp
   memory/memory.hpp set/device_set.hpp set/given.hpp set/rows.hpp set/tree.hpp)
 set(MEETC_IO_HEADERS elements/element_set.hpp elements/transform.hpp files/atomic_file.hpp files/error.hpp read.hpp
@@ -46,8 +47,8 @@ endif()
 
 set(MEETC_INSTALL_CMAKE "${CMAKE_INSTALL_LIBDIR}/cmake/meetc")
 set(MEETC_INSTALL_ALGEBRA "${CMAKE_INSTALL_DATADIR}/meetc/algebra_spec")
-# All headers are below one folder, which has three: the kernels' are <meetc/...>, the runtime's <meet/...>, and the shipped
-# predicates' <cga/...>.
+# All headers are below one folder, which has four: the kernels' are <meetc/...>, the runtime's <meet/...>, and the shipped
+# predicates' <cga/...> and <neighbours/...>.
 set(MEETC_INSTALL_HEADERS "${CMAKE_INSTALL_INCLUDEDIR}/meetc")
 
 # meetc_install_headers(FROM TO NAME ...): headers below the folder FROM, into the folder TO.
@@ -83,7 +84,7 @@ if(TARGET meet_core)
   list(REMOVE_ITEM rooms environment/version.hpp)
   meetc_install_headers("${MEETC_KERNEL_FOLDER}" meetc ${rooms})
   install(FILES "${MEETC_VERSION_HEADER}" DESTINATION "${MEETC_INSTALL_HEADERS}/meetc/environment" COMPONENT meetc_runtime)
-  meetc_install_headers("${PROJECT_SOURCE_DIR}/runtime/core" meet/core ${MEETC_CORE_HEADERS})
+  meetc_install_headers("${PROJECT_SOURCE_DIR}/runtime/core" meet/core ${MEETC_CORE_HEADERS} ${MEETC_WORLD_HEADERS})
 endif()
 
 # The predicates of the shipped scenes, compiled: the namespace cga, by <cga/cga.hpp> and <cga/cga_runtime.hpp>, and those of

@@ -6,7 +6,6 @@
 #ifndef MEETC_CORE_WORLD_WORLD_HPP
 #define MEETC_CORE_WORLD_WORLD_HPP
 
-#include "meet/core/hierarchy/box.hpp"
 #include "meet/core/query/collide.hpp"
 #include "meet/core/query/fitting.hpp"
 

@@ -47,7 +47,7 @@ TEST_CASE("polygons are named with their triangles, and pairs within one do not 
   CHECK(table.starts_with("a,b,triangle_a,triangle_b\n0,1,"));
 }
 
-TEST_CASE("--self takes one mesh and what can be said of it") {
+TEST_CASE("the option --self takes one mesh and what can be said of it") {
   put("folded.obj", folded);
   put("balls.csv", "x,y,z,r\n1,0,0,0.5\n");
   const auto refused = [](std::vector<std::string> more) {

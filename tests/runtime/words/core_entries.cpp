@@ -291,6 +291,25 @@ void call_proved_apart(caller &under) {
     });
   }
 }
+void call_ends_in(caller &under) {
+  static constexpr float lo[3] = {0x1p-149F, -1, 0}, hi[3] = {1, 1, 1};
+  for_some_numbers(under, [&](const double &x) {
+    double ends[6] = {};
+    pose p = some_pose();
+    p.m[3] = x;
+    const bool found = ends_in(p, lo, hi, x, ends, ends + 3);
+    return found ? ends[0] : -1.0;
+  });
+}
+void call_posed(caller &under) {
+  const box far{{-2, -2, -2}, {2, 2, 0x1p-149F}};
+  for (const pair_of_sets &p : every_pair_of_sets()) {
+    std::optional<prepared> out;
+    under([&] { out = posed(p.set_a, some_pose(), {&far, 1}); });
+    if (out)
+      add(under, *out);
+  }
+}
 void call_movable(caller &under) {
   for_some_numbers(under, [](const double &x) {
     pose p;
@@ -377,6 +396,8 @@ constexpr entry all[] = {
     {"lies_along_axes", call_lies_along_axes},
     {"keeps_axes", call_keeps_axes},
     {"proved_apart", call_proved_apart},
+    {"ends_in", call_ends_in},
+    {"posed", call_posed},
     {"movable", call_movable},
     {"move_rows", call_move_rows},
     {"allocate", call_allocate},

@@ -61,6 +61,7 @@ struct entry {
   void (*call)(caller &under);
 };
 std::span<const entry> core_entries();
+std::span<const entry> world_entries(); // of core: pairs within a mesh, contacts, bodies
 std::span<const entry> io_entries();
 std::span<const entry> table_entries(); // the functions that a table points to
 

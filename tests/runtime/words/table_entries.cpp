@@ -139,6 +139,16 @@ template <class Number, class Function> void call_formulas(caller &under, Functi
         under.add_all(out);
       }
 }
+void call_contacts(caller &under) {
+  for_each_predicate([&](const predicate_info &p, const rows &a, const rows &b, std::size_t na, std::size_t nb) {
+    if (!p.contacts)
+      return;
+    const std::vector<index_pair> pairs = pairs_of(na, nb);
+    std::vector<std::uint64_t> codes(pairs.size());
+    under([&] { p.contacts(a.data(), b.data(), pairs.data(), pairs.size(), codes.data()); });
+    under.add_all(codes);
+  });
+}
 void call_formulas_in_singles(caller &under) {
   call_formulas<float>(under, &formula_info::float32);
 }
@@ -152,6 +162,7 @@ constexpr entry all[] = {
     {"predicate_info::certify_in_box", call_certify_in_box},
     {"predicate_info::decide_last", call_decide_last},
     {"predicate_info::first_met", call_first_met},
+    {"predicate_info::contacts", call_contacts},
     {"kind_info::boxes", call_boxes},
     {"kind_info::fault", call_fault},
     {"stored_values::compute", call_compute},

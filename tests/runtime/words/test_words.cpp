@@ -30,6 +30,7 @@ void check_all(std::span<const entry> entries) {
 
 TEST_CASE("words: every public function of core answers alike under each") {
   check_all(core_entries());
+  check_all(world_entries());
 }
 
 TEST_CASE("words: every public function of io answers alike under each") {
