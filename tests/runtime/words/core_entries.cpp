@@ -18,43 +18,6 @@ using namespace meetc;
 
 constexpr float inf = std::numeric_limits<float>::infinity();
 
-// The arguments of the calls, made under the default word.
-const predicate_info &touching() {
-  static const predicate_info &p = find_predicate(cga::catalogue(), "triangle_triangle");
-  return p;
-}
-struct pair_of_sets {
-  const predicate_info &by;
-  rows a, b;
-  prepared set_a, set_b;
-  explicit pair_of_sets(const predicate_info &p)
-      : by(p), a(some_rows(*p.a, 1)), b(some_rows(*p.b, 2)), set_a(prepare(view_of(a, *p.a), *p.a)),
-        set_b(prepare(view_of(b, *p.b), *p.b)) {}
-};
-std::span<const pair_of_sets> every_pair_of_sets() {
-  static const std::vector<pair_of_sets> all = [] {
-    std::vector<pair_of_sets> out;
-    const catalogue &c = cga::catalogue();
-    for (int i = 0; i < c.predicate_count; ++i)
-      out.emplace_back(c.predicates[i]);
-    return out;
-  }();
-  return all;
-}
-const pair_of_sets &one_pair() {
-  for (const pair_of_sets &p : every_pair_of_sets())
-    if (&p.by == &touching())
-      return p;
-  throw std::logic_error("no triangles");
-}
-// A pose whose arithmetic rounds, and makes and meets subnormal numbers; one for boxes, too.
-pose some_pose(double grid = 0) {
-  pose at;
-  at.m[0] = 1 / 3.0, at.m[5] = 0.1, at.m[10] = 0.75, at.m[3] = 1e-310, at.m[11] = 0x1.8p-148;
-  at.length_scale = 1 / 3.0;
-  at.grid = grid;
-  return at;
-}
 constexpr rung some_rungs[] = {rung::fp32, rung::exact, rung::certified};
 constexpr answer_kind all_answers[] = {answer_kind::pairs, answer_kind::count, answer_kind::counts, answer_kind::flags,
                                        answer_kind::any};

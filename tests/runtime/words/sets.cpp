@@ -1,5 +1,7 @@
 #include "sets.hpp"
 
+#include "meet/core/query/find.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -52,6 +54,37 @@ rows some_rows(const meetc::kind_info &kind, unsigned seed) {
   if (!is_box)
     add(segment);
   return out;
+}
+
+using namespace meetc;
+
+const predicate_info &touching() {
+  static const predicate_info &p = find_predicate(cga::catalogue(), "triangle_triangle");
+  return p;
+}
+std::span<const pair_of_sets> every_pair_of_sets() {
+  static const std::vector<pair_of_sets> all = [] {
+    std::vector<pair_of_sets> out;
+    const catalogue &c = cga::catalogue();
+    for (int i = 0; i < c.predicate_count; ++i)
+      out.emplace_back(c.predicates[i]);
+    return out;
+  }();
+  return all;
+}
+const pair_of_sets &one_pair() {
+  for (const pair_of_sets &p : every_pair_of_sets())
+    if (&p.by == &touching())
+      return p;
+  throw std::logic_error("no triangles");
+}
+
+pose some_pose(double grid) {
+  pose at;
+  at.m[0] = 1 / 3.0, at.m[5] = 0.1, at.m[10] = 0.75, at.m[3] = 1e-310, at.m[11] = 0x1.8p-148;
+  at.length_scale = 1 / 3.0;
+  at.grid = grid;
+  return at;
 }
 
 } // namespace words_test

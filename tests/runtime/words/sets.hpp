@@ -2,10 +2,11 @@
 #ifndef MEETC_TESTS_RUNTIME_WORDS_SETS_HPP
 #define MEETC_TESTS_RUNTIME_WORDS_SETS_HPP
 
-#include "meet/core/views/view.hpp"
+#include "meet/core/sets/prepared.hpp"
 
 #include <cga/cga_runtime.hpp>
 
+#include <span>
 #include <vector>
 
 namespace words_test {
@@ -19,6 +20,21 @@ rows some_rows(const meetc::kind_info &kind, unsigned seed);
 inline meetc::view view_of(const rows &r, const meetc::kind_info &kind) {
   return {.data = r.data(), .elements = r.size() / static_cast<std::size_t>(kind.fields)};
 }
+
+// The arguments of calls, made under the default word: the predicate of two triangles, sets of each predicate, and a pose whose
+// arithmetic rounds, and makes and meets subnormal numbers; boxes can stand in it, too.
+const meetc::predicate_info &touching();
+struct pair_of_sets {
+  const meetc::predicate_info &by;
+  rows a, b;
+  meetc::prepared set_a, set_b;
+  explicit pair_of_sets(const meetc::predicate_info &p)
+      : by(p), a(some_rows(*p.a, 1)), b(some_rows(*p.b, 2)), set_a(prepare(view_of(a, *p.a), *p.a)),
+        set_b(prepare(view_of(b, *p.b), *p.b)) {}
+};
+std::span<const pair_of_sets> every_pair_of_sets();
+const pair_of_sets &one_pair();
+meetc::pose some_pose(double grid = 0);
 
 } // namespace words_test
 

@@ -13,22 +13,10 @@ namespace {
 
 using namespace meetc;
 
-const predicate_info &touching() {
-  static const predicate_info &p = find_predicate(cga::catalogue(), "triangle_triangle");
-  return p;
-}
 const rows &triangles(unsigned seed) {
   static const rows one = some_rows(*touching().a, 1), other = some_rows(*touching().a, 2);
   return seed == 1 ? one : other;
 }
-// A pose whose arithmetic rounds, and makes and meets subnormal numbers.
-pose some_pose() {
-  pose at;
-  at.m[0] = 1 / 3.0, at.m[5] = 0.1, at.m[10] = 0.75, at.m[3] = 1e-310, at.m[11] = 0x1.8p-148;
-  at.length_scale = 1 / 3.0;
-  return at;
-}
-
 void call_fitting(caller &under) {
   const catalogue &all = cga::catalogue();
   for (int i = 0; i < all.kind_count; ++i)
