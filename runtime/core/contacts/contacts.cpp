@@ -2,9 +2,9 @@
 
 #include "meet/core/contacts/joining.hpp"
 #include "meet/core/contacts/names.hpp"
-#include "meet/core/contacts/numbered.hpp"
 #include "meet/core/threads/threads.hpp"
 #include "meet/core/views/check.hpp"
+#include "meet/core/views/numbered.hpp"
 #include "meet/core/views/rows.hpp"
 #include "meetc/contact/place.hpp"
 

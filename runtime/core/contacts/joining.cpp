@@ -1,6 +1,6 @@
 #include "meet/core/contacts/joining.hpp"
 
-#include "meet/core/contacts/numbered.hpp"
+#include "meet/core/views/numbered.hpp"
 
 #include <algorithm>
 

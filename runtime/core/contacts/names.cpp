@@ -1,11 +1,10 @@
 #include "meet/core/contacts/names.hpp"
 
-#include "meet/core/contacts/numbered.hpp"
 #include "meet/core/sets/prepared.hpp"
+#include "meet/core/views/numbered.hpp"
 #include "meet/core/views/rows.hpp"
 
 #include <algorithm>
-#include <bit>
 
 namespace meetc {
 
@@ -42,11 +41,8 @@ part_names::part_names(const touched_rows &of) : of_(of) {
   const std::size_t n = of.elements.size() * corners;
   numbered<std::uint32_t, 3> points(n);
   vertices_.reserve(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const float *const x = of.rows.data() + 3 * i;
-    const auto bits = [](float v) { return std::bit_cast<std::uint32_t>(v == 0 ? 0.0F : v); };
-    vertices_.push_back(points.number({bits(x[0]), bits(x[1]), bits(x[2])}));
-  }
+  for (std::size_t i = 0; i < n; ++i)
+    vertices_.push_back(points.number(key_of_point(of.rows.data() + 3 * i)));
   if (corners != 3)
     return;
   numbered<std::uint32_t, 3> faces(of.elements.size());

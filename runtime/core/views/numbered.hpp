@@ -1,8 +1,9 @@
-// core/contacts/numbered.hpp: numbers keys in the order in which they first appear.
-#ifndef MEETC_CORE_CONTACTS_NUMBERED_HPP
-#define MEETC_CORE_CONTACTS_NUMBERED_HPP
+// core/views/numbered.hpp: numbers keys in the order in which they first appear.
+#ifndef MEETC_CORE_VIEWS_NUMBERED_HPP
+#define MEETC_CORE_VIEWS_NUMBERED_HPP
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -28,7 +29,7 @@ public:
     std::uint32_t &slot = find(k);
     if (slot == none) {
       if (keys_.size() >= most)
-        throw std::length_error("contacts: 2^31 vertices or nodes, or more");
+        throw std::length_error("2^31 different points or parts, or more");
       slot = static_cast<std::uint32_t>(keys_.size());
       keys_.push_back(k);
     }
@@ -61,6 +62,12 @@ private:
       find(keys_[i]) = static_cast<std::uint32_t>(i);
   }
 };
+
+// The key of a point x, y, z: equal where its coordinates are, 0 and -0 too.
+inline std::array<std::uint32_t, 3> key_of_point(const float *point) {
+  const auto bits = [](float x) { return std::bit_cast<std::uint32_t>(x == 0 ? 0.0F : x); };
+  return {bits(point[0]), bits(point[1]), bits(point[2])};
+}
 
 } // namespace meetc
 
