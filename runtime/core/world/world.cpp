@@ -116,13 +116,19 @@ world_answer world::touching(const world_options &options) const {
   return under_standard_word([&] { return ask(options); });
 }
 
-std::vector<world::near_bodies> world::near_pairs(std::span<const box> bounds) const {
+std::vector<world::near_bodies> world::near_pairs(std::span<const box> bounds,
+                                                  std::span<const std::uint32_t> of) const {
+  std::vector<std::uint8_t> asked(bodies_.size(), 0);
+  for (const std::uint32_t body : of)
+    asked.at(body) = 1;
   std::vector<near_bodies> out;
   const bounds_of_bodies all(bounds);
   for (std::uint32_t a = 0; a < bodies_.size(); ++a)
     all.after(a, [&](std::size_t other) {
       const auto b = static_cast<std::uint32_t>(other);
-      if (bodies_[a].shape->elements() > 0 && bodies_[b].shape->elements() > 0 && !ignored_.contains({a, b}))
+      const bool is_asked = of.empty() || asked[a] != asked[b];
+      if (is_asked && bodies_[a].shape->elements() > 0 && bodies_[b].shape->elements() > 0 &&
+          !ignored_.contains({a, b}))
         out.push_back({a, b, predicate_of(bodies_[a], bodies_[b])});
     });
   return out;
@@ -172,7 +178,7 @@ world_answer world::ask(const world_options &options) const {
   std::vector<box> bounds;
   for (const entry &b : bodies_)
     bounds.push_back(posed_box(b.at, b.shape->set().around, b.shape->set().longest));
-  const std::vector<near_bodies> pairs = near_pairs(bounds);
+  const std::vector<near_bodies> pairs = near_pairs(bounds, options.of);
   std::vector<prepared> shapes;
   {
     const std::scoped_lock hold(*lock_);

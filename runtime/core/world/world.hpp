@@ -26,9 +26,10 @@ namespace meetc {
 struct world_options {
   answer_kind want = answer_kind::count; // for each pair of bodies
   rung precision = rung::certified;
-  bool first = false; // stop at the first pair of bodies that touches: of all of them the least
-  int threads = 0;    // 0: all cores
-  float box = 0;      // as collide_options::box
+  std::span<const std::uint32_t> of = {}; // only pairs of one of these bodies and another one; empty: all
+  bool first = false;                     // stop at the first pair of bodies that touches: of all of them the least
+  int threads = 0;                        // 0: all cores
+  float box = 0;                          // as collide_options::box
   std::function<void(double fraction)> progress = {}; // on the calling thread, about ten times a second
 };
 
@@ -69,7 +70,8 @@ public:
   std::optional<std::uint32_t> find(std::string_view name) const;
 
   // Throws std::invalid_argument where no predicate fits two bodies that are near each other, or is not generated for the
-  // precision; input_error where an element is not finite in its pose, or breaks a rule of its kind there; std::bad_alloc.
+  // precision; std::out_of_range for a body of options.of that is not there; input_error where an element is not finite in its
+  // pose, or breaks a rule of its kind there; std::bad_alloc.
   world_answer touching(const world_options &options = {}) const;
 
 private:
@@ -84,7 +86,7 @@ private:
     choice by;
   };
   choice predicate_of(const entry &a, const entry &b) const;
-  std::vector<near_bodies> near_pairs(std::span<const box> bounds) const;
+  std::vector<near_bodies> near_pairs(std::span<const box> bounds, std::span<const std::uint32_t> of) const;
   void pose_shapes(std::span<const box> bounds, std::span<const near_bodies> pairs, int threads,
                    std::vector<prepared> &shapes) const;
   result collide_pair(const near_bodies &p, std::span<const prepared> shapes, const world_options &options,

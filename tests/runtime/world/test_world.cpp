@@ -226,6 +226,30 @@ TEST_CASE("bodies that are ignored are not asked about") {
   CHECK(!s.bodies.find("body"));
 }
 
+TEST_CASE("the pairs of some bodies and the others are among all pairs") {
+  scene s(20);
+  std::mt19937 g(4);
+  for (std::uint32_t i = 0; i < s.bodies.size(); ++i)
+    s.bodies.move(i, drawn(g, 2));
+  const world_answer all = s.bodies.touching();
+  const std::uint32_t some[] = {3, 8, 9};
+  const auto is_some = [&](std::uint32_t b) { return std::ranges::find(some, b) != std::end(some); };
+  world_options o;
+  o.of = some;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> want, have;
+  for (const touching_bodies &t : all.touching)
+    if (is_some(t.a) != is_some(t.b))
+      want.emplace_back(t.a, t.b);
+  for (const touching_bodies &t : s.bodies.touching(o).touching)
+    have.emplace_back(t.a, t.b);
+  CHECK(have == want);
+  CHECK(!want.empty());
+  CHECK(want.size() < all.touching.size());
+  const std::uint32_t none[] = {20};
+  o.of = none;
+  CHECK_THROWS_AS(s.bodies.touching(o), std::out_of_range);
+}
+
 TEST_CASE("a body that cannot be is refused with its name") {
   scene s(1);
   const auto shape = std::make_shared<prepared>(prepare(s.shapes[0].as_view(), *s.shapes[0].kind));
