@@ -61,11 +61,8 @@ void take_items(const ordered &o, result &r) {
   name_items(o.second.owner, r.first_met);
   for (index_pair &p : r.pairs)
     p = {static_cast<std::uint32_t>(o.first.owner_of(p.a)), static_cast<std::uint32_t>(o.second.owner_of(p.b))};
-  const auto key = [](const index_pair &p) { return std::pair(p.a, p.b); };
-  std::sort(r.pairs.begin(), r.pairs.end(), [&](const index_pair &x, const index_pair &y) { return key(x) < key(y); });
-  r.pairs.erase(std::unique(r.pairs.begin(), r.pairs.end(),
-                            [&](const index_pair &x, const index_pair &y) { return key(x) == key(y); }),
-                r.pairs.end());
+  sort_pairs(r.pairs);
+  drop_repeats(r.pairs);
   r.count = r.pairs.size();
 }
 
