@@ -179,10 +179,7 @@ const collide_request &read(arguments &args) {
 printed collide_many(const kernel_library &all, const arguments &args) {
   const collide_request &r = args.request;
   bodies_request q = bodies_named(args.bodies, r.a, r.b);
-  if (r.mode)
-    q.mode = *r.mode;
-  if (q.mode != "solid" && q.mode != "surface")
-    throw failure(fmt::format("--mode {}: unknown; known: solid, surface", io::quote(q.mode)));
+  q.mode = mode_named(r.mode);
   q.precision = precision_named(args.precision);
   q.any = r.any, q.json = r.json, q.pairs = r.pairs;
   if (args.threads)

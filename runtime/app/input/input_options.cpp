@@ -1,6 +1,7 @@
 #include "meet/app/input/input_options.hpp"
 
 #include "meet/app/input/failure.hpp"
+#include "meet/app/input/matrix.hpp"
 #include "meet/app/input/motor.hpp"
 #include "meet/app/input/option_values.hpp"
 #include "meet/io/files/file_bytes.hpp"
@@ -22,20 +23,6 @@ std::string option(const char *what, char side) {
 
 char letter(char side) {
   return side == 'a' ? 'A' : 'B';
-}
-
-// 12 numbers, or 16 of which the last four are 0 0 0 1.
-std::array<double, 12> matrix_named(const std::string &option, const std::string &text) {
-  const std::vector<double> m = number_list(option.c_str(), text);
-  if (m.size() != 12 && m.size() != 16)
-    throw failure(fmt::format("{}: 12 numbers expected, or 16, with commas between them, {} given", option, m.size()));
-  for (std::size_t i = 12; i < m.size(); ++i)
-    if (m[i] != (i == 15 ? 1 : 0))
-      throw failure(fmt::format("{}: the last row of the 4x4 matrix is {},{},{},{}, not 0,0,0,1", option, m[12], m[13],
-                                m[14], m[15]));
-  std::array<double, 12> out{};
-  std::copy_n(m.begin(), 12, out.begin());
-  return out;
 }
 
 // A motor of any length; see motor.hpp.
@@ -88,8 +75,10 @@ io::read_options input_named(char side, const input_arguments &given) {
     out.kind = *given.kind;
   if (given.scale)
     out.move.scale = numbers<1>(option("scale", side).c_str(), *given.scale)[0];
-  if (given.matrix)
-    out.move.matrix = matrix_named(option("matrix", side), *given.matrix);
+  if (given.matrix) {
+    const std::string name = option("matrix", side);
+    out.move.matrix = matrix_of(number_list(name.c_str(), *given.matrix), name);
+  }
   if (given.motor)
     out.move.matrix = motor_named(option("motor", side), *given.motor);
   if (given.translate)

@@ -55,10 +55,15 @@ choice choose_by_name(const catalogue &all, const std::vector<choice> &fit, cons
 
 } // namespace
 
-choice choose(const catalogue &all, const kind_info &a, const kind_info &b, const std::optional<std::string> &name,
-              const std::optional<std::string> &mode) {
+std::string mode_named(const std::optional<std::string> &mode) {
   if (mode && *mode != "solid" && *mode != "surface")
     throw failure(fmt::format("--mode {}: unknown; known: solid, surface", io::quote(*mode)));
+  return mode.value_or("solid");
+}
+
+choice choose(const catalogue &all, const kind_info &a, const kind_info &b, const std::optional<std::string> &name,
+              const std::optional<std::string> &mode) {
+  const std::string wanted = mode_named(mode);
   const std::string kinds = fmt::format("{} with {}", a.name, b.name);
   const std::vector<choice> fit = fitting(all, a, b);
   if (fit.empty())
@@ -70,7 +75,6 @@ choice choose(const catalogue &all, const kind_info &a, const kind_info &b, cons
       throw failure(fmt::format("--predicate {} answers for --mode {}, not {}", *name, own, *mode));
     return c;
   }
-  const std::string wanted = mode.value_or("solid");
   if (const std::optional<choice> c = first_for(fit, wanted))
     return *c;
   throw failure(fmt::format("no predicate for {} in --mode {}; there is: {}", kinds, wanted, names_of(fit)));

@@ -10,6 +10,9 @@
 
 namespace meetc::app {
 
+// The value of --mode, by default "solid". Throws failure for another word.
+std::string mode_named(const std::optional<std::string> &mode);
+
 // The predicate of that name; without a name the first that fits and answers for `mode`, by default "solid". Throws
 // failure that lists those that fit.
 choice choose(const catalogue &all, const kind_info &a, const kind_info &b, const std::optional<std::string> &name,

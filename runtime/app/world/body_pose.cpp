@@ -1,6 +1,7 @@
 #include "meet/app/world/body_pose.hpp"
 
 #include "meet/app/input/failure.hpp"
+#include "meet/app/input/matrix.hpp"
 #include "meet/io/elements/transform.hpp"
 
 #include <fmt/format.h>
@@ -13,16 +14,8 @@ namespace meetc::app {
 
 namespace {
 
-std::array<double, 12> matrix_of(std::span<const double> v, const std::string &where) {
-  std::array<double, 12> m{};
-  if (v.size() == 12 || v.size() == 16) {
-    std::copy_n(v.begin(), 12, m.begin());
-    for (std::size_t i = 12; i < v.size(); ++i)
-      if (v[i] != (i == 15 ? 1 : 0))
-        throw failure(fmt::format("{}: the last row of the 4x4 matrix is {},{},{},{}, not 0,0,0,1", where, v[12], v[13],
-                                  v[14], v[15]));
-    return m;
-  }
+// A position and a quaternion, which is divided by its length, and by its largest number first, so that nothing overflows.
+std::array<double, 12> matrix_of_quaternion(std::span<const double> v, const std::string &where) {
   const double largest = std::max({std::abs(v[3]), std::abs(v[4]), std::abs(v[5]), std::abs(v[6])});
   if (!(largest > 0))
     throw failure(fmt::format("{}: the quaternion is 0, so this is no rotation", where));
@@ -44,7 +37,8 @@ pose pose_of(std::span<const double> numbers, const std::string &where) {
   if (!std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); }))
     throw failure(fmt::format("{}: a number of the pose is not finite", where));
   pose p;
-  const std::array<double, 12> m = matrix_of(numbers, where);
+  const std::array<double, 12> m =
+      numbers.size() == 7 ? matrix_of_quaternion(numbers, where) : matrix_of(numbers, where);
   std::copy_n(m.begin(), 12, p.m);
   const std::optional<double> scale = io::similarity_scale(m);
   if (!scale || !(*scale > 0))

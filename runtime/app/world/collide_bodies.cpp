@@ -87,7 +87,7 @@ void ignore_pairs(const bodies_request &q, const std::vector<name_pair> &allowed
     }
 }
 
-std::string in_words(const scene &s, const frame_answer &f, bool any) {
+std::string touching_in_words(const scene &s, const frame_answer &f, bool any) {
   std::string out;
   for (const touching_bodies &t : f.found.touching)
     out +=
@@ -103,6 +103,10 @@ std::string summary(const bodies_request &q, const scene &s, const std::vector<f
     width = std::max(width, name.size());
   for (std::size_t i = 0; i < s.names.size(); ++i)
     out += fmt::format("{:{}}  {}\n", s.names[i], width, counted(s.shapes[i]->elements));
+  for (const auto &[file, one] : s.by_file)
+    if (one.elements.rounded.numbers > 0)
+      out += fmt::format("Rounded to float32: {}.\n",
+                         in_words(one.elements.rounded, fmt::format(" of {}", file.string())));
   out += '\n';
   std::size_t label = 0;
   std::uint64_t candidates = 0, near = 0;
@@ -111,7 +115,7 @@ std::string summary(const bodies_request &q, const scene &s, const std::vector<f
     label = std::max(label, f.name.size());
   for (const frame_answer &f : frames) {
     out += frames.size() == 1 && f.name.empty() ? "" : fmt::format("frame {:{}}  ", f.name, label);
-    out += in_words(s, f, q.any) + "\n";
+    out += touching_in_words(s, f, q.any) + "\n";
     candidates += f.found.candidates, near += f.found.near;
     pose += f.found.pose_seconds, collide += f.found.collide_seconds;
   }
@@ -139,8 +143,17 @@ json as_json(const bodies_request &q, const scene &s, const std::vector<frame_an
     list.push_back(one);
     pose += f.found.pose_seconds, collide += f.found.collide_seconds;
   }
+  io::rounded_numbers rounded;
+  json notes = json::array();
+  for (const auto &[file, one] : s.by_file) {
+    rounded.add(one.elements.rounded);
+    for (const std::string &note : one.elements.notes)
+      notes.push_back(fmt::format("{}: {}", file.string(), note));
+  }
   return {{"bodies", bodies},
           {"frames", list},
+          {"rounded", {{"numbers", rounded.numbers}, {"largest", rounded.largest}}},
+          {"notes", notes},
           {"precision", name_of(q.precision)},
           {"mode", q.mode},
           {"seconds",

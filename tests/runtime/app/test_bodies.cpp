@@ -44,6 +44,18 @@ TEST_CASE("three files and more are bodies that stand as they are") {
   CHECK(has(s.out, "cube - slab ("));
 }
 
+TEST_CASE("bodies whose numbers float32 does not hold say so, each file once") {
+  put_files();
+  put("far.csv", "x,y,z,r\n433832.18,0,0,0.5\n");
+  const json all = answer({"cube.ply", "far.csv", "far.csv"});
+  CHECK(all["rounded"]["numbers"] == 1);
+  CHECK(has(run({"collide", "cube.ply", "far.csv", "far.csv"}).out, "Rounded to float32: 1 number of far.csv moved"));
+  put("notch.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nf 1 2 3 4\n"); // a quadrangle that is not planar
+  const json noted = answer({"cube.ply", "notch.obj", "far.csv"});
+  REQUIRE(noted["notes"].size() == 1);
+  CHECK(has(noted["notes"][0].get<std::string>(), "notch.obj: "));
+}
+
 TEST_CASE("a world file places bodies, and closed ones touch where they meet in a plane") {
   put_files();
   world(three);
