@@ -55,8 +55,7 @@ py::tuple counts(const question &q) {
                         as_array<std::int64_t>(std::move(found.counts.b)));
 }
 
-py::array poses(const question &q, bool still_first, const py::array &numbers, const std::optional<py::array> &index,
-                const py::array &at, bool any) {
+py::array poses(const question &q, bool still_first, const py::array &at, bool any) {
   require_packed(at, "f", 8, 2, "poses");
   if (at.shape(1) != 12)
     throw py::type_error("poses: twelve numbers are needed for each");
@@ -67,13 +66,8 @@ py::array poses(const question &q, bool still_first, const py::array &numbers, c
   options.owner_a = owners_of(q.owner_a);
   options.owner_b = owners_of(q.owner_b);
   options.progress = check_signals();
-  const posed_query query{still_first ? *q.a : *q.b,
-                          view_of(*(still_first ? predicate.b : predicate.a), numbers, index),
-                          still_first ? *q.b : *q.a,
-                          predicate,
-                          still_first,
-                          rung_named(q.precision),
-                          options};
+  const posed_query query{
+      still_first ? *q.a : *q.b, still_first ? *q.b : *q.a, predicate, still_first, rung_named(q.precision), options};
   std::vector<std::int64_t> found;
   {
     const py::gil_scoped_release others_run;
@@ -104,8 +98,7 @@ void bind_queries(py::module_ &module) {
            [](const question &q) {
              return as_array<std::int32_t>(std::move(ask(q, answer_kind::count, true).first_met));
            })
-      .def("poses", &poses, py::arg("still_first"), py::arg("numbers"), py::arg("index"), py::arg("poses"),
-           py::arg("any"));
+      .def("poses", &poses, py::arg("still_first"), py::arg("poses"), py::arg("any"));
 }
 
 } // namespace meetc::python

@@ -6,8 +6,6 @@
 
 #include <cga/cga_runtime.hpp>
 
-#include <tuple>
-
 namespace meetc::python {
 
 namespace {
@@ -25,23 +23,30 @@ std::uint32_t add(world &to, const std::string &name, const std::shared_ptr<prep
   return to.add(name, shape, place_of(at, shape->kind()), {owners.begin(), owners.end()});
 }
 
-// The two bodies and the number of their pairs, for each two that touch.
-std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint64_t>>
-touching(const world &of, const std::string &precision, bool any, int threads) {
+answer_kind wanted(const std::string &name) {
+  return name == "any" ? answer_kind::any : name == "pairs" ? answer_kind::pairs : answer_kind::count;
+}
+
+// The two bodies, the number of their pairs, and with want "pairs" these, for each two that touch.
+py::list touching(const world &w, const std::vector<std::uint32_t> &of, const std::string &precision,
+                  const std::string &want, int threads) {
   world_options options;
+  options.of = of;
   options.precision = rung_named(precision);
-  options.want = any ? answer_kind::any : answer_kind::count;
-  options.first = any;
+  options.want = wanted(want);
+  options.first = options.want == answer_kind::any;
   options.threads = threads;
   options.progress = check_signals();
   world_answer found;
   {
     const py::gil_scoped_release others_run;
-    found = of.touching(options);
+    found = w.touching(options);
   }
-  std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint64_t>> out;
-  for (const touching_bodies &t : found.touching)
-    out.emplace_back(t.a, t.b, t.found.count);
+  py::list out;
+  for (touching_bodies &t : found.touching) {
+    const auto rows = static_cast<py::ssize_t>(t.found.pairs.size());
+    out.append(py::make_tuple(t.a, t.b, t.found.count, as_array<std::int32_t>(std::move(t.found.pairs), {rows, 2})));
+  }
   return out;
 }
 
@@ -56,7 +61,7 @@ void bind_world(py::module_ &module) {
           [](world &w, std::uint32_t body, const py::array &at) { w.move(body, place_of(at, w.shape(body).kind())); },
           py::arg("body"), py::arg("pose"))
       .def("ignore", &world::ignore, py::arg("a"), py::arg("b"), py::arg("ignored"))
-      .def("touching", &touching, py::arg("precision"), py::arg("any"), py::arg("threads"));
+      .def("touching", &touching, py::arg("of"), py::arg("precision"), py::arg("want"), py::arg("threads"));
 }
 
 } // namespace meetc::python

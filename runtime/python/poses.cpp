@@ -18,13 +18,11 @@ bool has_length(const kind_info &kind) {
 }
 
 std::int64_t in_pose(const posed_query &q, const pose &at, int threads, collide_options options) {
-  float lo[3], hi[3];
-  q.still.bounds(lo, hi);
-  const element_set &unposed = q.moved_unposed.set();
-  if (proved_apart(at, unposed.around.lo, unposed.around.hi, static_cast<double>(unposed.longest), lo, hi))
+  const box around = q.still.set().around;
+  const prepared moved = posed(q.moved, at, {&around, 1});
+  if (moved.set().elements == 0)
     return 0;
   options.threads = threads;
-  const prepared moved = prepare(q.moved, *(q.still_first ? q.predicate.b : q.predicate.a), at, threads, &q.still);
   const prepared &a = q.still_first ? q.still : moved, &b = q.still_first ? moved : q.still;
   return static_cast<std::int64_t>(collide(a, b, q.predicate, q.precision, options).count);
 }

@@ -14,17 +14,15 @@ namespace meetc::python {
 pose pose_of(std::span<const double> matrix, const kind_info &kind);
 
 struct posed_query {
-  const prepared &still;
-  view moved;                    // as the caller has it
-  const prepared &moved_unposed; // the same, prepared without a pose: its box is enough for most poses
+  const prepared &still, &moved; // the second without a pose
   const predicate_info &predicate;
   bool still_first; // whether the set that does not move is the predicate's first
   rung precision;
   collide_options options; // any or count
 };
 
-// For each pose of 12 numbers the number of pairs; 0 or 1 for answer_kind::any. A pose in which the boxes are proved apart
-// costs next to nothing. Threads share the poses, unless there are fewer of these.
+// For each pose of 12 numbers the number of pairs; 0 or 1 for answer_kind::any. The moved set is posed, and not prepared again
+// (meetc::posed). Threads share the poses, unless there are fewer of these.
 std::vector<std::int64_t> over_poses(const posed_query &q, std::span<const double> poses);
 
 } // namespace meetc::python

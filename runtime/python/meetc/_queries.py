@@ -152,11 +152,9 @@ def over_poses(
         raise InputError(f"want: {want!r} is unknown; known: count, any", value=want)
     asked = _ask(a, b, precision, threads)
     matrices = _arrays.poses(poses, "poses", True)
-    moved = asked.b._without_pose()
-    question = asked._replace(b=moved).question()
-    source = moved._source
+    question = asked._replace(b=asked.b._without_pose()).question()
     try:
-        found = question.poses(not asked.turned, source.numbers, source.corners, matrices, want == "any")
+        found = question.poses(not asked.turned, matrices, want == "any")
     except _native.Fault as fault:
         raise InputError(str(fault), array="poses", element=fault.element, value=fault.value) from None
     except ValueError as error:

@@ -6,22 +6,21 @@ computed; asking for one raises NotImplementedError, which names what to call in
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterable
+from collections.abc import Callable, Hashable
 from typing import Any, Literal, NoReturn, overload
 
-import numpy as np
 from numpy.typing import ArrayLike
 
-from meetc import _queries
+from meetc import _arrays
+from meetc._bodies import Bodies, Touching
 from meetc._errors import InputError
 from meetc._set import Set, as_set
+from meetc._world import pose_of
 from meetc._types import Meshlike
 
 __all__ = ["CollisionManager", "ContactData"]
 
 Data = list["ContactData"]
-_Named = list[tuple[Any, Set]]
-_Pair = tuple[tuple[Any, Any], Set, Set]
 Names = set[Any]
 Pairs = set[tuple[Any, Any]]
 
@@ -56,26 +55,26 @@ class ContactData:
 class CollisionManager:
     """Named meshes in poses, and which of them touch.
 
-    A mesh is prepared for each pose that it is given. One manager is for one thread at a time.
+    A mesh is prepared once, in whatever poses it is put. One manager is for one thread at a time.
     """
 
     def __init__(self) -> None:
-        self._sets: dict[Hashable, Set] = {}
+        self._bodies = Bodies("solid")
 
     def add_object(self, name: Hashable, mesh: Meshlike, transform: ArrayLike | None = None) -> None:
         """Adds a mesh in a pose, 4x4; one that has this name is replaced."""
         found = _triangles(mesh)
-        self._sets[name] = found if transform is None else found.at(transform)
+        self._bodies.add(name, found, pose_of(found, transform))
 
     def remove_object(self, name: Hashable) -> None:
         """Removes the mesh of this name."""
         self._require(name)
-        del self._sets[name]
+        self._bodies.remove(name)
 
     def set_transform(self, name: Hashable, transform: ArrayLike) -> None:
         """Moves the mesh of this name to a pose, 4x4."""
         self._require(name)
-        self._sets[name] = self._sets[name].at(transform)
+        self._bodies.move(name, _arrays.poses(transform, "pose", False)[0])
 
     @overload
     def in_collision_single(
@@ -102,10 +101,10 @@ class CollisionManager:
     ) -> Any:
         """Whether a mesh in a pose touches any of the manager's, and the names of those that it touches."""
         other = _triangles(mesh)
-        if transform is not None:
-            other = other.at(transform)
-        todo = _near(list(self._sets.items()), [("__external", other)])
-        return _answer(todo, lambda names: names[0], return_names, return_data)
+        bodies, single = _together(self), "__external"
+        bodies.add((1, single), other, pose_of(other, transform))
+        found = _named(bodies.touching(_want(return_names, return_data), [(1, single)]))
+        return _answer(found, lambda names: names[0], return_names, return_data)
 
     @overload
     def in_collision_internal(
@@ -125,9 +124,7 @@ class CollisionManager:
     ) -> tuple[bool, Pairs, Data]: ...
     def in_collision_internal(self, return_names: bool = False, return_data: bool = False) -> Any:
         """Whether any two of the manager's meshes touch, and the pairs of their names, each sorted."""
-        all_: _Named = list(self._sets.items())
-        todo = _near(all_, all_)
-        return _answer(todo, _sorted, return_names, return_data)
+        return _answer(self._bodies.touching(_want(return_names, return_data)), _sorted, return_names, return_data)
 
     @overload
     def in_collision_other(
@@ -149,8 +146,9 @@ class CollisionManager:
         self, other_manager: CollisionManager, return_names: bool = False, return_data: bool = False
     ) -> Any:
         """Whether a mesh of this manager touches one of another, and the pairs (name here, name there)."""
-        todo = _near(list(self._sets.items()), list(other_manager._sets.items()))
-        return _answer(todo, lambda names: names, return_names, return_data)
+        others = [(1, name) for name in other_manager._bodies.sets]
+        found = _named(_together(self, other_manager).touching(_want(return_names, return_data), others)) if others else []
+        return _answer(found, lambda names: names, return_names, return_data)
 
     def min_distance_single(
         self, mesh: Meshlike, transform: ArrayLike | None = None, return_name: bool = False, return_data: bool = False
@@ -173,8 +171,8 @@ class CollisionManager:
         raise NotImplementedError("min_distance_other: call in_collision_other, which says whether the distance is 0")
 
     def _require(self, name: Hashable) -> None:
-        if name not in self._sets:
-            known = ", ".join(repr(n) for n in self._sets)
+        if name not in self._bodies.sets:
+            known = ", ".join(repr(n) for n in self._bodies.sets)
             raise InputError(f"{name!r} is not in the collision manager; there are: {known or 'none'}", value=name)
 
 
@@ -190,32 +188,25 @@ def _sorted(names: tuple[Any, Any]) -> tuple[Any, Any]:
     return a, b
 
 
-def _near(a: _Named, b: _Named) -> Iterable[_Pair]:
-    """The pairs of sets whose boxes touch; of one list with itself, each once."""
-    if not a or not b:
-        return
-    boxes = Set.boxes(*np.stack([s.bounds for _, s in a], axis=1))
-    others = boxes if a is b else Set.boxes(*np.stack([s.bounds for _, s in b], axis=1))
-    for i, j in _queries.pairs(boxes, others).tolist():
-        if a is not b or i < j:
-            yield (a[i][0], b[j][0]), a[i][1], b[j][1]
+def _together(*managers: CollisionManager) -> Bodies:
+    """The bodies of managers, each by the number of its manager and its name."""
+    out = Bodies("solid")
+    for number, manager in enumerate(managers):
+        for name, shape in manager._bodies.sets.items():
+            out.add((number, name), shape, manager._bodies.poses[name])
+    return out
 
 
-def _answer(
-    todo: Iterable[_Pair], key: Callable[[tuple[Any, Any]], Any], with_names: bool, with_data: bool
-) -> Any:
+def _named(found: Touching) -> Touching:
+    return [(a[1], b[1], count, pairs) for a, b, count, pairs in found]
+
+
+def _want(with_names: bool, with_data: bool) -> Literal["any", "count", "pairs"]:
+    return "pairs" if with_data else "count" if with_names else "any"
+
+
+def _answer(found: Touching, key: Callable[[tuple[Any, Any]], Any], with_names: bool, with_data: bool) -> Any:
     """trimesh's results: a bool, or a tuple of it with the names, the data, or both."""
-    hit, names, data = False, set(), []
-    for pair, a, b in todo:
-        if with_data:
-            found = _queries.pairs(a, b)
-            touch = len(found) > 0
-            data += [ContactData(pair, (i, j)) for i, j in found.tolist()]
-        else:
-            touch = _queries.touches(a, b)
-        hit |= touch
-        if touch:
-            names.add(key(pair))
-            if not (with_names or with_data):
-                return True
-    return (hit, *([names] if with_names else []), *([data] if with_data else [])) if with_names or with_data else hit
+    names = [{key((a, b)) for a, b, _, _ in found}] if with_names else []
+    data = [[ContactData((a, b), (i, j)) for a, b, _, pairs in found for i, j in pairs.tolist()]] if with_data else []
+    return (bool(found), *names, *data) if with_names or with_data else bool(found)

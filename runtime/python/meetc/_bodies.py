@@ -1,0 +1,70 @@
+"""Sets in poses, by keys: what World and the CollisionManager rest on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Iterable
+from typing import Any, Literal
+
+from meetc import _native
+from meetc._errors import InputError
+from meetc._set import Set
+from meetc._types import Doubles, Ints
+
+Want = Literal["any", "count", "pairs"]
+# Two keys, the body that was added earlier first, and the number of their pairs, of elements of the one and the other.
+Touching = list[tuple[Any, Any, int, Ints]]
+
+
+class Bodies:
+    """Each set is prepared once; moving it costs nothing until it is asked what touches."""
+
+    def __init__(self, mode: str, ignored: Callable[[Any, Any], bool] = lambda a, b: False) -> None:
+        self._mode, self._ignored = mode, ignored
+        self.sets: dict[Hashable, Set] = {}  # without a pose
+        self.poses: dict[Hashable, Doubles] = {}  # twelve numbers
+        self._native: _native.World | None = None  # made when it is asked, and again after bodies came or went
+
+    def add(self, key: Hashable, shape: Set, at: Doubles) -> None:
+        self.sets[key], self.poses[key] = shape._without_pose(), at
+        self.forget()
+
+    def remove(self, key: Hashable) -> None:
+        del self.sets[key], self.poses[key]
+        self.forget()
+
+    def forget(self) -> None:
+        """Other pairs are ignored from now on."""
+        self._native = None
+
+    def move(self, key: Hashable, at: Doubles) -> None:
+        self.poses[key] = at
+        if self._native is not None:
+            self._native.move(list(self.sets).index(key), at)
+
+    def touching(self, want: Want, of: Iterable[Hashable] = (), precision: str = "certified", threads: int = 0) -> Touching:
+        """The bodies that touch. With `of`, only pairs of one of these and another one.
+
+        want: "any" is one such pair, or none; "count" has the numbers of pairs of elements, and "pairs" these too.
+        """
+        keys = list(self.sets)
+        try:
+            if self._native is None:
+                self._native = self._made(keys)
+            found = self._native.touching([keys.index(key) for key in of], precision, want, threads)
+        except (_native.Fault, ValueError) as error:
+            raise InputError(str(error)) from None
+        return [(keys[a], keys[b], count, pairs) for a, b, count, pairs in found]
+
+    def _made(self, keys: list[Hashable]) -> _native.World:
+        made, names = _native.World(self._mode), set[str]()
+        for number, key in enumerate(keys):
+            shape, name = self.sets[key], str(key)
+            if not name or name in names:  # keys that differ may have one text
+                name = f"{name} (number {number})"
+            names.add(name)
+            made.add(name, shape._ready, self.poses[key], shape._source.owner)
+        for i, a in enumerate(keys):
+            for j, b in enumerate(keys[:i]):
+                if self._ignored(a, b):
+                    made.ignore(i, j, True)
+        return made
