@@ -36,7 +36,7 @@ set(MEETC_CORE_HEADERS answers/answers.hpp query/collide.hpp query/evaluate.hpp 
   views/memory.hpp views/pose.hpp views/status.hpp views/view.hpp)
 set(MEETC_WORLD_HEADERS contacts/contacts.hpp query/fitting.hpp query/self_pairs.hpp world/world.hpp)
 set(MEETC_DEVICE_HEADERS answers/device_result.hpp collide.hpp evaluate.hpp every_pair/engine.hpp group.hpp memory/device.hpp
-  memory/memory.hpp set/device_set.hpp set/given.hpp set/rows.hpp set/tree.hpp)
+  memory/memory.hpp set/device_set.hpp set/given.hpp set/rows.hpp set/tree.hpp world.hpp)
 set(MEETC_IO_HEADERS elements/element_set.hpp elements/transform.hpp files/atomic_file.hpp files/error.hpp read.hpp
   text/rounded.hpp write.hpp)
 

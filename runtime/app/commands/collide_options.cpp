@@ -181,6 +181,7 @@ printed collide_many(const kernel_library &all, const arguments &args) {
   bodies_request q = bodies_named(args.bodies, r.a, r.b);
   q.mode = mode_named(r.mode);
   q.precision = precision_named(args.precision);
+  q.on = processor_named(args.device);
   q.any = r.any, q.json = r.json, q.pairs = r.pairs;
   if (args.threads)
     q.threads = threads_named(*args.threads);

@@ -155,7 +155,7 @@ struct settings {
   std::uint64_t seed = 1;
   std::string data; // a folder of meshes: those are compared, and nothing else
   std::string
-      part; // of the scenes: pairs, again, every_pair, made, orders, given, poses, ends, group, device, words or reset; empty: all
+      part; // of the scenes: pairs, again, every_pair, made, orders, given, poses, ends, group, device, words, bodies or reset; empty: all
 };
 void pair_scenes(comparison &with, const settings &s);
 void again_scenes(comparison &with, const settings &s);
@@ -170,6 +170,7 @@ void end_scenes(comparison &with, const settings &s);
 void group_scenes(comparison &with, const settings &s);
 void word_scenes(comparison &with, const settings &s);
 void formula_scenes(comparison &with, const settings &s);
+void body_scenes(comparison &with, const settings &s);
 void mesh_scenes(comparison &with, const settings &s);
 // Whether a device that was reset answers as it did before. No other device object may exist meanwhile.
 bool answers_after_reset();
