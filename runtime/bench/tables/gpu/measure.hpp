@@ -45,6 +45,8 @@ public:
   table measure_formulas(std::size_t values);
   // One mesh against another in many poses, of three classes and mixed.
   table measure_poses(const posed_meshes &meshes);
+  // So many bodies that move before each question, on the device and on the CPU.
+  table measure_bodies(std::size_t count, int frames);
 
 private:
   struct counted_pairs {
