@@ -35,7 +35,7 @@ public:
     numbers_.reserve(std::size_t{3} * n, "the corners of a mesh");
     check(on_device::order_corners(mesh.data(), n, rows_.data(), stream), "starting a kernel");
     if (options.merge) {
-      const int bits = std::bit_width(std::size_t{6} * n);
+      const auto bits = static_cast<int>(std::bit_width(std::size_t{6} * n));
       cells_.reserve(std::size_t{1} << bits, "the corners of a mesh");
       check(on_device::number_corners(mesh.data(), n, cells_.data(), bits, numbers_.data(), stream),
             "starting a kernel");
