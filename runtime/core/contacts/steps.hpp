@@ -1,5 +1,5 @@
-// core/contacts/steps.hpp: the two steps of contacts() that look at each pair, or each node, alone. The processor takes them, or
-// a device; what stands between and behind them, names and joining, is the same code for both.
+// core/contacts/steps.hpp: the two steps of contacts() that look at each pair, or each node, alone. The processor takes them,
+// or a device; names and joining, which stand between and behind them, are the same code for both.
 #ifndef MEETC_CORE_CONTACTS_STEPS_HPP
 #define MEETC_CORE_CONTACTS_STEPS_HPP
 

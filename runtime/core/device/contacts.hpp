@@ -1,9 +1,9 @@
 // core/device/contacts.hpp: where pairs meet, with the codes and the coordinates found on a CUDA device.
 //
 // The answer is that of core/contacts/contacts.hpp, bit for bit. The host gathers the rows of the pairs and uploads them; a
-// thread of the device finds the contact code of a pair, and later the coordinates of a node. What double-double does not tell
-// is left to the host, which has exact integers: signs that are zero where differences span more than some thirty bits, and
-// coordinates that are zero although no element lies in that plane. Names and joining are the host's.
+// thread of the device finds the contact code of a pair, and later the coordinates of a node. The host, which has exact
+// integers, takes the pairs and nodes that double-double does not tell: zero signs where differences span more than some thirty
+// bits, and zero coordinates although no element lies in that plane. Names and joining are the host's.
 #ifndef MEETC_CORE_DEVICE_CONTACTS_HPP
 #define MEETC_CORE_DEVICE_CONTACTS_HPP
 
@@ -12,7 +12,7 @@
 
 namespace meetc {
 
-// What a device did of it, and what it left to the host.
+// The device's part of it, and the host's.
 struct device_contact_work {
   double codes_seconds = 0, places_seconds = 0; // of the two kernels alone
   std::size_t pairs_left = 0, nodes_left = 0;

@@ -15,7 +15,8 @@ struct place_job {
   const node_source *nodes; // rows and labels
   std::size_t count;
 };
-// points: x, y, z of each node, as place_label() rounds them. NaN where only integers tell a coordinate (meetc/contact/place.hpp).
+// points: x, y, z of each node, as place_label() rounds them; NaN where only integers tell a coordinate
+// (meetc/contact/place.hpp).
 cudaError_t place_labels(const place_job &job, float *points, cudaStream_t stream);
 cudaError_t place_labels(const place_job &job, double *points, cudaStream_t stream);
 

@@ -10,8 +10,8 @@ class candidate_sieve {
 public:
   virtual ~candidate_sieve() = default;
 
-  // Enqueues. Candidates that are to be decided go to `kept`, whose list is as long and whose count is 0. Of others it may add
-  // hits. It may then write over the candidates.
+  // Enqueues. Candidates that are to be decided go to `kept`, whose list is as long and whose count is 0. It may add others to
+  // the hits, and may then write over the candidates.
   virtual void sift(const cuda::pair_list &candidates, const cuda::pair_list &kept, const cuda::pair_list &hits) = 0;
   // Called after a part that counts, whose counters the host has read.
   virtual void take() = 0;

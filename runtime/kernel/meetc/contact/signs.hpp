@@ -62,7 +62,8 @@ private:
     if (!bounded_signs<Side, in_fp32>(triangle, d).template get<stage>(s) &&
         !fp64_signs<Side>(triangle, d).template get<stage>(s))
       bounded_signs<Side, in_fp64x2>(triangle, d).template get<stage>(s);
-    return before_return(Side::value(s));
+    const sign_set told = Side::value(s);
+    return {static_cast<std::uint8_t>(before_return(int{told.bits}))};
   }
 };
 

@@ -172,7 +172,7 @@ void formula_scenes(comparison &with, const settings &s);
 void contact_scenes(comparison &with, const settings &s);
 void self_scenes(comparison &with, const settings &s);
 void mesh_scenes(comparison &with, const settings &s);
-// Of triangles, under the scene's name: where these pairs meet, and where a mesh crosses itself.
+// Triangles: where these pairs meet, and where a mesh crosses itself, under the scene's name.
 void same_contacts(comparison &with, const std::string &scene, const meetc::view &a, const meetc::view &b,
                    const meetc::predicate_info &p, std::span<const meetc::index_pair> pairs);
 void same_self(comparison &with, const std::string &scene, const meetc::view &mesh);

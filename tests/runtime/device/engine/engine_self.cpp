@@ -40,7 +40,7 @@ void require_same(comparison &with, const std::string &scene, const self_result 
     fails(std::to_string(have.candidates) + " candidates, and the CPU has " + std::to_string(want.candidates));
 }
 
-// Of a set that was made on the device, of one that was prepared, and of a given one; merged, and by vertices.
+// A set that was made on the device, one that was prepared, and a given one; merged, and by vertices.
 void compare(comparison &with, const std::string &scene, const view &v, std::span<const std::uint32_t> owner = {},
              const pose &at = {}) {
   const prepared set = prepare(v, *touch().a, at);
