@@ -21,6 +21,7 @@ if(TARGET meet_kernels)
 endif()
 if(TARGET meet_kernels_cuda)
   add_library(meet::kernels_cuda ALIAS meet_kernels_cuda)
+  add_library(meet::neighbours_cuda ALIAS meet_neighbours_cuda)
 endif()
 if(TARGET meet_io)
   add_library(meet::io ALIAS meet_io)
@@ -35,8 +36,8 @@ set(MEETC_ALGEBRA_DIR "${PROJECT_SOURCE_DIR}/algebra_spec" CACHE INTERNAL "Folde
 set(MEETC_CORE_HEADERS answers/answers.hpp query/collide.hpp query/evaluate.hpp query/find.hpp query/pairs.hpp sets/prepared.hpp views/check.hpp
   views/memory.hpp views/pose.hpp views/status.hpp views/view.hpp)
 set(MEETC_WORLD_HEADERS contacts/contacts.hpp query/fitting.hpp query/self_pairs.hpp world/world.hpp)
-set(MEETC_DEVICE_HEADERS answers/device_result.hpp collide.hpp evaluate.hpp every_pair/engine.hpp group.hpp memory/device.hpp
-  memory/memory.hpp set/device_set.hpp set/given.hpp set/rows.hpp set/tree.hpp world.hpp)
+set(MEETC_DEVICE_HEADERS answers/device_result.hpp collide.hpp contacts.hpp evaluate.hpp every_pair/engine.hpp group.hpp
+  memory/device.hpp memory/memory.hpp self_pairs.hpp set/device_set.hpp set/given.hpp set/rows.hpp set/tree.hpp world.hpp)
 set(MEETC_IO_HEADERS elements/element_set.hpp elements/transform.hpp files/atomic_file.hpp files/error.hpp read.hpp
   text/rounded.hpp write.hpp)
 
@@ -121,7 +122,8 @@ if(TARGET meet_device)
   set(libraries meet_device)
   if(TARGET meet_kernels_cuda)
     set_target_properties(meet_kernels_cuda PROPERTIES EXPORT_NAME kernels_cuda)
-    list(APPEND libraries meet_kernels_cuda)
+    set_target_properties(meet_neighbours_cuda PROPERTIES EXPORT_NAME neighbours_cuda)
+    list(APPEND libraries meet_kernels_cuda meet_neighbours_cuda)
   endif()
   install(TARGETS ${libraries} EXPORT meetc_device_targets
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT meetc_runtime

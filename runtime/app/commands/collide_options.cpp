@@ -59,8 +59,8 @@ void check_self(const arguments &args) {
   if (args.precision != "certified")
     throw failure(
         fmt::format("--precision {}: the answer of --self is certified; leave the option out", args.precision));
-  if (args.device == "cuda")
-    throw failure("--device cuda: --self runs on the CPU; leave the option out");
+  if (args.devices)
+    throw failure("--devices: one device answers --self; leave the option out");
 }
 
 void add_sets(CLI::App &c, arguments &to) {

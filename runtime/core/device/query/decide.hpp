@@ -3,6 +3,7 @@
 #define MEETC_CORE_DEVICE_QUERY_DECIDE_HPP
 
 #include "meet/core/device/answers/query_answer.hpp"
+#include "meet/core/device/query/sieve.hpp"
 
 #include <functional>
 #include <memory>
@@ -22,6 +23,8 @@ struct decision_job {
   std::size_t list_capacity;
   const std::function<void(double fraction)> &progress;
   bool counts_cleared; // in the device's buffers, for the first part
+  // Where pairs are listed, and no walk decides: what is decided is what it keeps, and hits are listed one way. Null: all.
+  candidate_sieve *sieve = nullptr;
 };
 
 // Adds to r's count, candidates, unsure pairs and parts. Marks the clock behind the last kernel. Throws device_error.

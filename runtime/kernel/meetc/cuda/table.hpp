@@ -233,6 +233,15 @@ MEETC_HD inline std::uint32_t number_of_b(const first_met_job &job, std::uint32_
   return job.owner_b ? job.owner_b[job.order_b[slot]] : job.order_b[slot];
 }
 
+// Where pairs of rows meet: their contact codes (meetc/contact/code.hpp).
+struct contact_job {
+  const float *a, *b;      // the rows of both sets
+  const index_pair *pairs; // of rows
+  std::size_t count;
+  std::uint64_t *codes; // of each pair; undecided_code where double-double does not tell all of its signs
+};
+inline constexpr std::uint64_t undecided_code = ~std::uint64_t{0}; // which is no contact code
+
 // The launchers of one predicate for lists of pairs.
 struct pair_launchers {
   // Reads min(*in.count, in.capacity) pairs of slots of packed rows; hits go to `yes`, and pairs that reject keeps, or that
@@ -244,6 +253,8 @@ struct pair_launchers {
       run;
   // Looks at further hits. Null: the predicate knows no order.
   stated<cudaError_t (*)(const first_met_job &job, cudaStream_t stream)> first_met;
+  // Null: the scene asks for no sign that tells contacts.
+  stated<cudaError_t (*)(const contact_job &job, cudaStream_t stream)> contacts;
 };
 
 struct predicate_launchers {
