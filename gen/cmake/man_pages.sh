@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# man_pages.sh HELP2MAN MEET MEETC FOLDER: writes the pages meet.1, meet-collide.1, meetc.1, ... of the programs and their commands
-# into the folder, from what --help prints.
+# man_pages.sh HELP2MAN MEET MEETC FOLDER: writes the pages meet.1, meet-collide.1, meetc.1, ... of the programs and their
+# commands into the folder, from what --help prints.
 set -euo pipefail
 help2man=$1 folder=$4
 shift

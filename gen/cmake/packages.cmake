@@ -3,7 +3,7 @@
 set(CPACK_PACKAGE_NAME meetc)
 set(CPACK_PACKAGE_VERSION "${PROJECT_VERSION}")
 set(CPACK_PACKAGE_VENDOR "The meetc authors")
-set(CPACK_PACKAGE_CONTACT "The meetc authors <meetc@localhost>")
+set(CPACK_PACKAGE_CONTACT "The meetc authors <none@example.org>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Exact collisions of meshes, and a compiler of geometric algebra")
 set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
 set(CPACK_PACKAGE_DIRECTORY packages)
