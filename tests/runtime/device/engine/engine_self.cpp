@@ -97,7 +97,7 @@ void fixtures(comparison &with, bool small) {
 }
 
 void lattices(comparison &with, bool small) {
-  for (unsigned seed = 0; seed < (small ? 12U : 400U); ++seed) {
+  for (unsigned seed = 0; seed < (small ? 5U : 400U); ++seed) {
     const mesh m = self_test::lattice_mesh(seed, 5 + static_cast<int>(seed % 9), 8 + static_cast<int>(seed % 7),
                                            2 + static_cast<int>(seed % 4));
     compare(with, "self, lattices", m);
