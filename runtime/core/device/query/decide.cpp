@@ -19,8 +19,8 @@ bool needs_pairs(const decision_job &job) {
 }
 
 // The pairs that a list may be expected to get: of balls that touch one other on average. Where there are more of one set,
-// fewer of these do. Where the walk decides, half as many are listed; a list that only counts gets none. A mesh whose neighbours
-// are sifted has six of them for each face, which is in a pair with itself as well.
+// fewer of these do. Where the walk decides, half as many are listed; a list that only counts gets none. A mesh whose
+// neighbours are sifted has six of them for each face, which is in a pair with itself as well.
 std::uint64_t expected_pairs(const decision_job &job, walk_lists what) {
   if (what != walk_lists::candidates && !needs_pairs(job))
     return 0;
