@@ -50,9 +50,11 @@ std::shared_ptr<device_set> given(const std::string &kind, const rows_there &num
     there.index = reinterpret_cast<const std::uint32_t *>(first);
     there.elements = elements;
   }
+  const std::optional<pose> place = at ? std::optional(place_of(*at, of)) : std::nullopt;
+  const py::gil_scoped_release others_run; // one of them may have the device, and need the interpreter to end its query
   auto set = std::make_shared<device_set>(device_set::given(on, there, of));
-  if (at)
-    set->move(place_of(*at, of));
+  if (place)
+    set->move(*place);
   return set;
 }
 

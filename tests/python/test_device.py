@@ -4,6 +4,7 @@ import ctypes
 import ctypes.util
 import glob
 import unittest
+from concurrent.futures import ThreadPoolExecutor
 
 import meetc
 import numpy as np
@@ -168,6 +169,16 @@ class There(unittest.TestCase):
         del mesh
         self.assertEqual((vertices.deleted, faces.deleted), (1, 1))
 
+    def test_threads_take_turns(self):
+        vertices, faces = sphere_mesh(24)
+        numbers, index = ByInterface(vertices), ByInterface(faces)
+        moved = DeviceSet(numbers, index, pose=lifted(0.25))
+        wanted = meetc.pairs(DeviceSet(numbers, index), moved)
+        with ThreadPoolExecutor(4) as pool:
+            results = list(pool.map(lambda _: meetc.pairs(DeviceSet(numbers, index), moved), range(32)))
+        for found in results:
+            self.assertTrue(np.array_equal(found, wanted))
+
     def test_bad_input_there(self):
         numbers, index = ByInterface(SQUARE), ByInterface(SQUARE_FACES)
         for call, error, text in (
@@ -179,6 +190,8 @@ class There(unittest.TestCase):
             (lambda: DeviceSet(SQUARE, index), TypeError, "vertices: an array on the device is needed, not ndarray"),
             (lambda: DeviceSet(OnVulkan(), index), TypeError, "vertices: it lies on a device of kind 7"),
             (lambda: DeviceSet(numbers, index, pose=np.zeros((4, 4))), meetc.InputError, "pose"),
+            (lambda: DeviceSet(ByInterface(np.ones((1, 4), np.float32)), kind="ball", pose=np.diag([1, 2, 1, 1])),
+             meetc.InputError, "pose: the pose is no similarity"),
             (lambda: meetc.pairs(DeviceSet(numbers, ByInterface(SQUARE_FACES + 2)), Set(SQUARE, SQUARE_FACES)),
              meetc.InputError, "element 0"),
             (lambda: meetc.contacts(DeviceSet(numbers, index), Set(SQUARE, SQUARE_FACES)), TypeError, "a: "),

@@ -127,13 +127,18 @@ class DeviceSet:
 
     def _make(self, kind: Kind, numbers: _Array, index: _Array | None, pose: Doubles | None) -> None:
         self._kind, self._pose, self._kept = kind, pose, (numbers, index)
-        with faults():
-            self._there = _native.given(
-                "sphere" if kind == "ball" else kind,
-                (numbers.address, numbers.shape[0], numbers.strides[0]),
-                None if index is None else (index.address, index.shape[0], index.strides[0]),
-                pose,
-            )
+        try:
+            with faults():
+                self._there = _native.given(
+                    "sphere" if kind == "ball" else kind,
+                    (numbers.address, numbers.shape[0], numbers.strides[0]),
+                    None if index is None else (index.address, index.shape[0], index.strides[0]),
+                    pose,
+                )
+        except InputError:
+            raise
+        except ValueError as error:  # a pose that does not go with the kind
+            raise InputError(f"pose: {error}", array="pose") from None
 
     @classmethod
     def _made(cls, of: DeviceSet, pose: Doubles | None) -> DeviceSet:
