@@ -2,6 +2,7 @@
 
 It writes nothing into the source tree. Settings, as in `python3 -m build --wheel -C build-dir=build-python`:
 build-dir         the folder to compile in, which is kept; without it a temporary one
+cuda              ON: with queries on CUDA devices; by default OFF, or what the folder has
 instruction-sets  those of x86-64 that are compiled beside the baseline; by default avx2;avx512, or what the folder has
 """
 
@@ -51,10 +52,11 @@ def _compile(folder: Path, into: Path, settings: dict[str, str]) -> None:
         "MEETC_BUILD_PYTHON": "ON",
         "MEETC_BUILD_GENERATOR": "OFF",
         "MEETC_BUILD_TESTS": "OFF",
-        "MEETC_CUDA": "OFF",
         "Python_EXECUTABLE": sys.executable,
         "pybind11_DIR": pybind11.get_cmake_dir(),
     }
+    if "cuda" in settings or not (folder / "CMakeCache.txt").exists():
+        options["MEETC_CUDA"] = settings.get("cuda", "OFF")
     if "instruction-sets" in settings:
         options["MEETC_INSTRUCTION_SETS"] = settings["instruction-sets"]
     words = [f"-D{name}={value}" for name, value in options.items()]

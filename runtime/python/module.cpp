@@ -70,6 +70,10 @@ PYBIND11_MODULE(_native, m) {
   bind_contacts(m);
   bind_self(m);
   bind_polygons(m);
+  m.attr("with_cuda") = MEETC_WITH_CUDA != 0;
+#if MEETC_WITH_CUDA
+  bind_device(m);
+#endif
   m.def("predicates", &predicates);
   m.def("kinds", &kinds);
 }

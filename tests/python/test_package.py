@@ -66,7 +66,7 @@ class Package(unittest.TestCase):
         needed = re.findall(r"NEEDED.*\[(.*?)\]", text)
         self.assertTrue(needed)
         for library in needed:
-            self.assertRegex(library, r"^(libstdc\+\+|libm|libgcc_s|libc|ld-linux.*)[.]so")
+            self.assertRegex(library, r"^(libstdc\+\+|libm|libgcc_s|libc|libdl|librt|libpthread|ld-linux.*)[.]so")
 
 
 if __name__ == "__main__":

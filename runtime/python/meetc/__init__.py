@@ -13,6 +13,7 @@ one with points and faces (PyVista), or a tuple (vertices, faces), which is prep
     self_pairs                            where a mesh crosses itself
     first, hit_points                     the triangle that a segment or a ray meets first, and where; all points of hits
     over_poses                            one set against another one in many poses
+    DeviceSet, devices                    arrays that lie on a CUDA device, in a build with CUDA
     World                                 many bodies that move, and which of them touch
     evaluate, formula, formulas           the values of a formula of the geometric algebra
     meetc.trimesh                         a CollisionManager with the signatures of trimesh's
@@ -23,18 +24,21 @@ there. Ctrl-C ends a query. Queries release the interpreter's lock, and a set ma
 """
 
 from meetc._contacts import Contacts, Lines, contacts
-from meetc._errors import InputError, MeetError, MeetWarning, RoundedWarning
+from meetc._device import DeviceSet, devices
+from meetc._errors import DeviceError, InputError, MeetError, MeetWarning, RoundedWarning
 from meetc._evaluate import evaluate, formula, formulas
 from meetc._hits import HitPoints, first, hit_points
 from meetc._native import version as __version__
 from meetc._queries import count, counts, hits, over_poses, pairs, touches
 from meetc._self import self_pairs
 from meetc._set import Set
-from meetc._types import Formula, Kind, Meshlike, Precision, Rounded
+from meetc._types import Formula, Kind, Meshlike, OnDevice, Precision, Rounded
 from meetc._world import World
 
 __all__ = [
     "Contacts",
+    "DeviceError",
+    "DeviceSet",
     "Formula",
     "HitPoints",
     "InputError",
@@ -43,6 +47,7 @@ __all__ = [
     "MeetError",
     "MeetWarning",
     "Meshlike",
+    "OnDevice",
     "Precision",
     "Rounded",
     "RoundedWarning",
@@ -52,6 +57,7 @@ __all__ = [
     "contacts",
     "count",
     "counts",
+    "devices",
     "evaluate",
     "first",
     "formula",
@@ -64,8 +70,8 @@ __all__ = [
     "touches",
 ]
 
-for _public in (InputError, MeetError, MeetWarning, RoundedWarning, Contacts, Formula, HitPoints, Lines, Rounded, Set, World,
-                contacts, evaluate, formula, formulas, count, counts, first, hit_points, hits, over_poses, pairs, self_pairs,
-                touches):
+for _public in (DeviceError, DeviceSet, InputError, MeetError, MeetWarning, RoundedWarning, Contacts, Formula, HitPoints,
+                Lines, Rounded, Set, World, contacts, devices, evaluate, formula, formulas, count, counts, first,
+                hit_points, hits, over_poses, pairs, self_pairs, touches):
     _public.__module__ = __name__
 del _public

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from meetc import _native
 from meetc._errors import InputError, MeetWarning, RoundedWarning
 from meetc._types import Doubles, Floats, Rounded
 
@@ -25,7 +26,7 @@ def shape_text(shape: tuple[int, ...]) -> str:
     return "(" + ", ".join(map(str, shape)) + ("," if len(shape) == 1 else "") + ")"
 
 
-def _on_device(value: Any) -> bool:
+def on_device(value: Any) -> bool:
     """Whether an array says by the CUDA array interface, or by DLPack, that the host cannot read it."""
     if hasattr(value, "__array_interface__"):
         return False
@@ -36,8 +37,9 @@ def _on_device(value: Any) -> bool:
 
 def as_array(value: Any, name: str) -> NDArray[Any]:
     """Any array-like as an array of numbers; a device's array is refused rather than copied unseen."""
-    if _on_device(value):
-        raise TypeError(f"{name}: it lies on a device, and this build has the CPU alone; copy it to the host first")
+    if on_device(value):
+        more = "DeviceSet takes it" if _native.with_cuda else "this build has the CPU alone; copy it to the host first"
+        raise TypeError(f"{name}: it lies on a device, and {more}")
     by_dlpack = hasattr(value, "__dlpack__") and not hasattr(value, "__array__") and not hasattr(value, "__len__")
     try:
         array = np.from_dlpack(value) if by_dlpack else np.asarray(value)

@@ -45,20 +45,24 @@ class Asked(NamedTuple):
 
 def ask(a: object, b: object, precision: str, threads: int) -> Asked:
     threads = _arrays.require_threads(threads)
+    require_precision(precision)
+    first = as_set(a, "a", threads)
+    second = first if b is a else as_set(b, "b", threads)
+    return Asked(first, second, *find(first.kind, second.kind), precision, threads)
+
+
+def require_precision(precision: str) -> None:
     if precision not in get_args(Precision):
         raise InputError(
             f"precision: {precision!r} is unknown; known: {', '.join(get_args(Precision))}", value=precision
         )
-    first = as_set(a, "a", threads)
-    second = first if b is a else as_set(b, "b", threads)
-    return Asked(first, second, *_find(first.kind, second.kind), precision, threads)
 
 
 def _mode(kind: str) -> str:
     return {"ball": "solid", "sphere": "surface"}.get(kind, "")
 
 
-def _find(a: str, b: str) -> tuple[str, bool, bool]:
+def find(a: str, b: str) -> tuple[str, bool, bool]:
     """The predicate for two kinds, whether it takes them in the other order, and whether it tells where they meet."""
     modes = {_mode(a), _mode(b)} - {""}
     wanted = tuple("sphere" if kind == "ball" else kind for kind in (a, b))

@@ -36,6 +36,10 @@ def _input_error(message: str, array: str | None, row: int | None, element: int 
     return InputError(message, array=array, row=row, element=element, value=value)
 
 
+class DeviceError(MeetError, RuntimeError):
+    """A CUDA device is missing or has failed, or this build has none."""
+
+
 class MeetWarning(UserWarning):
     """The input is taken, but its user should know how: a file's left-out parts, a polygon that is not planar."""
 

@@ -9,47 +9,55 @@ from numpy.typing import ArrayLike
 
 from meetc import _arrays, _native
 from meetc._asked import ask
+from meetc._device import Collidable, Device, question
 from meetc._errors import InputError
 from meetc._types import Bools, Ints, Longs, Meshlike, Precision
 
 
-def pairs(a: Meshlike, b: Meshlike, *, precision: Precision = "certified", threads: int = 0) -> Ints:
+def pairs(
+    a: Collidable, b: Collidable, *, precision: Precision = "certified", threads: int = 0, device: Device = "cpu"
+) -> Ints:
     """All pairs of elements that touch, (k, 2), sorted by the first, then by the second.
 
     Elements that share a single point touch; a mesh is a surface. `certified` and `exact` are right for every finite
     float32 input; fp32, fp64 and fp64x2 take computed signs as they are. A set against itself gives every ordered pair
-    (i, j), i = j included. Other threads of Python run meanwhile, and Ctrl-C ends the query.
+    (i, j), i = j included. Other threads of Python run meanwhile, and Ctrl-C ends the query. With device="cuda", or a
+    DeviceSet, the query runs on the device, to which a Set is uploaded once.
     """
-    asked = ask(a, b, precision, threads)
-    return asked.question().pairs(asked.turned)
+    of, turned = question(a, b, precision, threads, device)
+    return of.pairs(turned)
 
 
-def count(a: Meshlike, b: Meshlike, *, precision: Precision = "certified", threads: int = 0) -> int:
+def count(
+    a: Collidable, b: Collidable, *, precision: Precision = "certified", threads: int = 0, device: Device = "cpu"
+) -> int:
     """The number of pairs that touch. It needs no memory for them."""
-    return ask(a, b, precision, threads).question().count()
+    return question(a, b, precision, threads, device)[0].count()
 
 
-def touches(a: Meshlike, b: Meshlike, *, precision: Precision = "certified", threads: int = 0) -> bool:
+def touches(
+    a: Collidable, b: Collidable, *, precision: Precision = "certified", threads: int = 0, device: Device = "cpu"
+) -> bool:
     """Whether any pair touches. The search ends at the first that is found."""
-    return ask(a, b, precision, threads).question().any()
+    return question(a, b, precision, threads, device)[0].any()
 
 
 def hits(
-    a: Meshlike, b: Meshlike, *, precision: Precision = "certified", threads: int = 0
+    a: Collidable, b: Collidable, *, precision: Precision = "certified", threads: int = 0, device: Device = "cpu"
 ) -> tuple[Bools, Bools]:
     """For each element of a, and for each of b, whether it touches the other set."""
-    asked = ask(a, b, precision, threads)
-    of_a, of_b = asked.question().flags()
-    return (of_b, of_a) if asked.turned else (of_a, of_b)
+    of, turned = question(a, b, precision, threads, device)
+    of_a, of_b = of.flags()
+    return (of_b, of_a) if turned else (of_a, of_b)
 
 
 def counts(
-    a: Meshlike, b: Meshlike, *, precision: Precision = "certified", threads: int = 0
+    a: Collidable, b: Collidable, *, precision: Precision = "certified", threads: int = 0, device: Device = "cpu"
 ) -> tuple[Longs, Longs]:
     """For each element of a, and for each of b, the number of elements of the other set that it touches."""
-    asked = ask(a, b, precision, threads)
-    of_a, of_b = asked.question().counts()
-    return (of_b, of_a) if asked.turned else (of_a, of_b)
+    of, turned = question(a, b, precision, threads, device)
+    of_a, of_b = of.counts()
+    return (of_b, of_a) if turned else (of_a, of_b)
 
 
 @overload
@@ -89,9 +97,9 @@ def over_poses(
         raise InputError(f"want: {want!r} is unknown; known: count, any", value=want)
     asked = ask(a, b, precision, threads)
     matrices = _arrays.poses(poses, "poses", True)
-    question = asked._replace(b=asked.b._without_pose()).question()
+    of = asked._replace(b=asked.b._without_pose()).question()
     try:
-        found = question.poses(not asked.turned, matrices, want == "any")
+        found = of.poses(not asked.turned, matrices, want == "any")
     except _native.Fault as fault:
         raise InputError(str(fault), array="poses", element=fault.element, value=fault.value) from None
     except ValueError as error:

@@ -33,12 +33,13 @@ class Set:
     may collide it at once.
     """
 
-    __slots__ = ("__weakref__", "_pose", "_ready", "_source", "_unposed", "name")
+    __slots__ = ("__weakref__", "_pose", "_ready", "_source", "_unposed", "_uploaded", "name")
 
     _source: Source
     _ready: _native.Prepared
     _pose: Doubles | None
     _unposed: Set | None
+    _uploaded: _native.SetThere | None
     name: str | None  #: a name for messages and pages
 
     def __init__(
@@ -81,7 +82,8 @@ class Set:
 
     def _prepare(self, arrays: Source, pose: ArrayLike | None, threads: int, name: str | None) -> None:
         threads = _arrays.require_threads(threads)
-        self._source, self.name, self._unposed = arrays, name, None
+        self._source, self.name = arrays, name
+        self._unposed = self._uploaded = None
         self._pose = None if pose is None else _arrays.poses(pose, "pose", False)[0]
         try:
             self._ready = _native.prepare(

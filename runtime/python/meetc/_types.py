@@ -38,6 +38,17 @@ class HasPoints(Protocol):
     def faces(self) -> Any: ...
 
 
+class _ByInterface(Protocol):
+    @property
+    def __cuda_array_interface__(self) -> Any: ...
+
+
+class _ByDLPack(Protocol):
+    def __dlpack__(self, *, stream: Any = ...) -> Any: ...
+
+
+OnDevice = Union[_ByInterface, _ByDLPack]  # the arrays of CuPy, PyTorch, Warp, Numba
+
 Meshlike = Union["Set", HasFaces, HasPoints, "tuple[ArrayLike, ArrayLike]"]
 
 
