@@ -62,9 +62,12 @@ class Hits(unittest.TestCase):
             [[1, -4, -5], [1, 8, -5], [1, -4, 8]],
         ], np.float32)
         ends = np.array([[[0, 0.5, 0]], [[3, 0.5, 0]]], np.float32)
-        found = self.check(ends, triangles)
-        self.assertEqual(found.triangles.tolist(), [0, 1])
-        self.assertEqual(found.points[0].tolist(), found.points[1].tolist())
+        for order, wanted in (([0, 1, 2], [0, 1]), ([1, 0, 2], [1, 0])):
+            found = self.check(ends, triangles[order])
+            self.assertEqual(found.triangles.tolist(), wanted)
+            self.assertEqual(found.points[0].tolist(), found.points[1].tolist())
+        found = self.check(ends[::-1], triangles)
+        self.assertEqual(found.triangles.tolist(), [1, 0])
 
     def test_rays_in_the_shape_of_trimesh(self):
         vertices, faces = sphere_mesh(12)

@@ -78,8 +78,8 @@ def hit_points(segments: Set, mesh: Meshlike, *, threads: int = 0) -> HitPoints:
     of_pair = np.repeat(np.arange(len(pairs)), np.diff(offsets))
     segment, triangle = pairs[of_pair, 0], pairs[of_pair, 1]
 
-    # The least triangle of each segment's corners of one name.
-    order = np.lexsort((triangle, nodes, segment))
+    # The least triangle of each segment's corners of one name: the sort is stable, and triangles rise.
+    order = np.lexsort((nodes, segment))
     order = order[_begins(segment[order], nodes[order])]
     segment, triangle, nodes = segment[order], triangle[order], nodes[order]
 
