@@ -22,6 +22,7 @@ struct decision_job {
   std::size_t list_capacity;
   const std::function<void(double fraction)> &progress;
   bool counts_cleared; // in the device's buffers, for the first part
+  bool first_alone;    // only what is met first is asked for, and segments go down alone to it, if they can
 };
 
 // Adds to r's count, candidates, unsure pairs and parts. Marks the clock behind the last kernel. Throws device_error.
