@@ -4,13 +4,11 @@
 #define MEETC_CUDA_FIRST_WALK_HPP
 
 #include <meetc/cuda/lists.hpp>
-#include <meetc/volume/first_line.hpp>
+#include <meetc/volume/fours_way.hpp>
 
 namespace meetc::cuda {
 
 inline constexpr unsigned first_walk_hits = 128; // that wait, of a warp
-// Nodes that one thread has still to enter: three of each level, and one.
-inline constexpr int waiting_nodes = 3 * fours_levels + 1;
 // Lanes without a segment get one where so many have none, and elements are decided where so many lanes have one.
 inline constexpr int least_without = 8, least_decided = 8;
 
@@ -27,39 +25,23 @@ public:
   // Does the chunks of this one of all warps, up to the hits that wait.
   __device__ void run(std::uint32_t warp, std::uint32_t warps) {
     const std::uint32_t first_element = job_.tree.shape.first_element();
-    std::uint32_t waits_at[waiting_nodes], waits_key[waiting_nodes];
-    int waiting = 0;
-    const auto next = [&] {
-      at_ = no_slot;
-      while (waiting > 0 && at_ == no_slot)
-        if (--waiting; line_.is_near(waits_key[waiting]))
-          at_ = waits_at[waiting];
-    };
     take_chunk(warp);
     for (;;) {
-      const unsigned without = __ballot_sync(~0U, at_ == no_slot);
+      const unsigned without = __ballot_sync(~0U, way_.at() == nowhere);
       if (__popc(without) >= least_without && next_ < end_) {
         start(without);
         if (next_ == end_)
           take_chunk(next_chunk(warps));
         continue;
       }
-      const unsigned at_element = __ballot_sync(~0U, at_ != no_slot && at_ >= first_element);
+      const unsigned at_element = __ballot_sync(~0U, way_.at() != nowhere && way_.at() >= first_element);
       const unsigned at_node = ~(without | at_element);
       if (at_node != 0 && __popc(at_element) < least_decided) {
         if (at_node >> lane_ & 1) {
           std::uint32_t keys[4];
-          line_.enter(job_.tree.nodes[at_], keys);
+          line_.enter(job_.tree.nodes[way_.at()], keys);
           order_keys(keys);
-          const std::uint32_t first = 4 * at_ + 1;
-#pragma unroll
-          for (int c = 3; c > 0; --c)
-            if (keys[c] != left_out)
-              waits_at[waiting] = first + (keys[c] & 3), waits_key[waiting++] = keys[c];
-          if (keys[0] != left_out)
-            at_ = first + (keys[0] & 3);
-          else
-            next();
+          way_.enter(keys);
         }
         continue;
       }
@@ -67,20 +49,16 @@ public:
         break;
       decide(at_element >> lane_ & 1, first_element);
       if (at_element >> lane_ & 1)
-        next();
+        way_.next();
     }
     if (lane_ == 0 && decided_ > 0)
       atomicAdd(job_.decided, decided_);
   }
   // The hits that it has found and not written yet.
-  __device__ waiting_list<first_walk_hits> &hits() {
-    return hits_;
-  }
+  __device__ waiting_list<first_walk_hits> &hits() { return hits_; }
 
 private:
-  __device__ std::uint32_t chunks() const {
-    return (job_.of.end_a - job_.of.first_a - 1) / 32 + 1;
-  }
+  __device__ std::uint32_t chunks() const { return (job_.of.end_a - job_.of.first_a - 1) / 32 + 1; }
   __device__ std::uint32_t next_chunk(std::uint32_t warps) const {
     unsigned long long at = 0;
     if (lane_ == 0)
@@ -102,21 +80,21 @@ private:
     if ((without >> lane_ & 1) && mine < end_) {
       segment_ = mine;
       line_ = first_line(job_.a + std::size_t{mine} * P::inputs_a);
-      at_ = 0;
+      way_.start();
     }
     const auto taken = static_cast<std::uint32_t>(__popc(without));
     next_ += taken < left ? taken : left;
   }
   // Some lanes are at an element.
   __device__ void decide(bool here, std::uint32_t first_element) {
-    const std::uint32_t slot = at_ - first_element;
+    const std::uint32_t at = way_.at(), slot = at - first_element;
     const index_pair pair[1] = {{segment_, slot}};
     here = here && slot - job_.of.first_b < job_.of.end_b - job_.of.first_b;
     answer x = answer::no;
     if (here)
       x = Decide::of(job_.a + std::size_t{segment_} * P::inputs_a, job_.b + std::size_t{slot} * P::inputs_b);
     if (x == answer::yes)
-      line_.meets(job_.tree.nodes[(at_ - 1) / 4], (at_ - 1) % 4);
+      line_.meets(job_.tree.nodes[(at - 1) / 4], (at - 1) % 4);
     decided_ += __popc(__ballot_sync(~0U, here));
     hits_.append(x == answer::yes ? 1U : 0U, pair);
     append(x == answer::unsure ? 1U : 0U, pair, job_.unsure);
@@ -126,8 +104,9 @@ private:
   waiting_list<first_walk_hits> hits_;
   unsigned lane_;
   first_line line_;
-  std::uint32_t segment_ = 0, at_ = no_slot; // the slot, and the number of a node or an element; no_slot: it has none
-  std::uint32_t next_ = 0, end_ = 0;         // slots of the warp's chunk
+  fours_way way_; // nowhere: it has no segment
+  std::uint32_t segment_ = 0;
+  std::uint32_t next_ = 0, end_ = 0; // slots of the warp's chunk
   unsigned long long decided_ = 0;
 };
 

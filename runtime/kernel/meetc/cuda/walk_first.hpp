@@ -7,7 +7,7 @@
 
 namespace meetc::cuda {
 
-inline constexpr unsigned first_walk_threads = 128, first_walk_blocks = 5; // that a multiprocessor runs at once
+inline constexpr unsigned first_walk_threads = 128, first_walk_blocks = 4; // that a multiprocessor runs at once
 
 template <class P, class Decide>
 __global__ void __launch_bounds__(first_walk_threads, first_walk_blocks)

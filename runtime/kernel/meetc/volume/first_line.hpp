@@ -25,8 +25,8 @@
 
 namespace meetc::cuda {
 
-// An entry into a child of a node, with the child in the lowest bits, which makes it no larger: keys can be compared as numbers.
-// Those of children that are left out exceed all others.
+// A key is the number at which a child of a node is entered, but for its two lowest bits, which are the child. Those of
+// children that are left out exceed all others.
 inline constexpr std::uint32_t left_out = ~std::uint32_t{0};
 
 class first_line {
@@ -39,7 +39,6 @@ public:
         line_.enter[k] = most_of(row[k], row[3 + k]), line_.leave[k] = least_of(row[k], row[3 + k]);
         line_.per[k] = HUGE_VALF;
       }
-    end_at(1);
   }
 
   // The keys of the four children.
@@ -56,33 +55,24 @@ public:
     for (unsigned c = 0; c < 4; ++c)
       keys[c] = in[c] > bound_of(out[c]) ? left_out : (bits_of(in[c]) & ~3U) | c;
   }
-  // Whether what is entered there is still of interest.
-  MEETC_HD bool is_near(std::uint32_t key) const { return number_of(key & ~3U) <= bound_; }
-
   // The element in the box of this lane is proved to be met.
   MEETC_HD void meets(const four_boxes &node, unsigned lane) {
     float out = end_;
     for (int k = 0; k < 3; ++k)
       out = fminf(out, (node.of[k][!(line_.per[k] < 0)].of[lane] - line_.leave[k]) * line_.per[k]);
-    end_at(out);
+    end_ = out;
   }
 
 private:
   MEETC_HD static float bound_of(float exit) { return exit * parameter_margin().factor + parameter_margin().term; }
-  MEETC_HD void end_at(float exit) { end_ = exit, bound_ = bound_of(exit); }
   MEETC_HD static std::uint32_t bits_of(float x) {
     std::uint32_t b;
     std::memcpy(&b, &x, sizeof b);
     return b;
   }
-  MEETC_HD static float number_of(std::uint32_t b) {
-    float x;
-    std::memcpy(&x, &b, sizeof x);
-    return x;
-  }
 
   two_points line_;
-  float end_, bound_; // the least exit of a box of a proved hit, or 1; and what no entry may exceed
+  float end_ = 1; // the least exit of a box of a proved hit, or 1
 };
 
 // Puts keys into their order, the least first.
