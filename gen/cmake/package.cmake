@@ -1,8 +1,8 @@
 # The target names for users, and the files that `cmake --install` installs. The top CMakeLists.txt includes this file
 # after all targets exist.
 #
-# Install components: meetc_generator (the program, the algebras), meetc_runtime (libraries and their headers),
-# meetc_program (meet). The package files come with either of the first two, and find_package uses what it finds.
+# Install components: meetc_generator (the program, the algebras), meetc_runtime (libraries and their headers), meetc_program
+# (meet), and meetc_config, which find_package reads for either of the first two.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -21,6 +21,7 @@ if(TARGET meet_kernels)
 endif()
 if(TARGET meet_kernels_cuda)
   add_library(meet::kernels_cuda ALIAS meet_kernels_cuda)
+  add_library(meet::neighbours_cuda ALIAS meet_neighbours_cuda)
 endif()
 if(TARGET meet_io)
   add_library(meet::io ALIAS meet_io)
@@ -35,8 +36,8 @@ set(MEETC_ALGEBRA_DIR "${PROJECT_SOURCE_DIR}/algebra_spec" CACHE INTERNAL "Folde
 set(MEETC_CORE_HEADERS answers/answers.hpp query/collide.hpp query/evaluate.hpp query/find.hpp query/pairs.hpp sets/prepared.hpp views/check.hpp
   views/memory.hpp views/pose.hpp views/status.hpp views/view.hpp)
 set(MEETC_WORLD_HEADERS contacts/contacts.hpp query/fitting.hpp query/self_pairs.hpp world/world.hpp)
-set(MEETC_DEVICE_HEADERS answers/device_result.hpp collide.hpp evaluate.hpp every_pair/engine.hpp group.hpp memory/device.hpp
-  memory/memory.hpp set/device_set.hpp set/given.hpp set/rows.hpp set/tree.hpp)
+set(MEETC_DEVICE_HEADERS answers/device_result.hpp collide.hpp contacts.hpp evaluate.hpp every_pair/engine.hpp group.hpp
+  memory/device.hpp memory/memory.hpp self_pairs.hpp set/device_set.hpp set/given.hpp set/rows.hpp set/tree.hpp world.hpp)
 set(MEETC_IO_HEADERS elements/element_set.hpp elements/transform.hpp files/atomic_file.hpp files/error.hpp read.hpp
   text/rounded.hpp write.hpp)
 
@@ -59,9 +60,7 @@ function(meetc_install_headers from to)
   endforeach()
 endfunction()
 
-set(MEETC_INSTALL_COMPONENTS "")
 if(TARGET meetc)
-  list(APPEND MEETC_INSTALL_COMPONENTS meetc_generator)
   install(TARGETS meetc EXPORT meetc_generator_targets
     RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT meetc_generator)
   install(EXPORT meetc_generator_targets NAMESPACE meetc::
@@ -71,7 +70,6 @@ if(TARGET meetc)
 endif()
 
 if(TARGET meet_core)
-  list(APPEND MEETC_INSTALL_COMPONENTS meetc_runtime)
   set_target_properties(meet_core PROPERTIES EXPORT_NAME core)
   set_target_properties(meet_runtime PROPERTIES EXPORT_NAME runtime)
   set_target_properties(meet_kernel PROPERTIES EXPORT_NAME kernel)
@@ -121,7 +119,8 @@ if(TARGET meet_device)
   set(libraries meet_device)
   if(TARGET meet_kernels_cuda)
     set_target_properties(meet_kernels_cuda PROPERTIES EXPORT_NAME kernels_cuda)
-    list(APPEND libraries meet_kernels_cuda)
+    set_target_properties(meet_neighbours_cuda PROPERTIES EXPORT_NAME neighbours_cuda)
+    list(APPEND libraries meet_kernels_cuda meet_neighbours_cuda)
   endif()
   install(TARGETS ${libraries} EXPORT meetc_device_targets
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT meetc_runtime
@@ -141,8 +140,27 @@ configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/meetcConfig.cmake.in"
 # Below 1.0 a new minor version may change anything.
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/package/meetcConfigVersion.cmake"
   VERSION ${PROJECT_VERSION} COMPATIBILITY SameMinorVersion)
-foreach(component IN LISTS MEETC_INSTALL_COMPONENTS)
-  install(FILES "${PROJECT_BINARY_DIR}/package/meetcConfig.cmake" "${PROJECT_BINARY_DIR}/package/meetcConfigVersion.cmake"
-    "${CMAKE_CURRENT_LIST_DIR}/meetc_add_kernels.cmake" "${CMAKE_CURRENT_LIST_DIR}/instruction_sets.cmake"
-    DESTINATION "${MEETC_INSTALL_CMAKE}" COMPONENT ${component})
-endforeach()
+install(FILES "${PROJECT_BINARY_DIR}/package/meetcConfig.cmake" "${PROJECT_BINARY_DIR}/package/meetcConfigVersion.cmake"
+  "${CMAKE_CURRENT_LIST_DIR}/meetc_add_kernels.cmake" "${CMAKE_CURRENT_LIST_DIR}/instruction_sets.cmake"
+  DESTINATION "${MEETC_INSTALL_CMAKE}" COMPONENT meetc_config)
+
+# For projects without CMake: `pkg-config --cflags --libs meetc`, of whatever is installed, with fmt for the readers.
+if(TARGET meet_core)
+  set(MEETC_PC_LIBRARIES -lmeet_core)
+  if(TARGET meet_kernels)
+    string(PREPEND MEETC_PC_LIBRARIES "-lmeet_kernels -lmeet_neighbours ")
+  endif()
+  if(TARGET meet_io)
+    string(PREPEND MEETC_PC_LIBRARIES "-lmeet_io ")
+    string(APPEND MEETC_PC_LIBRARIES " -lfmt")
+  endif()
+  set(MEETC_PC_FOLDER "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+  file(RELATIVE_PATH MEETC_PC_TO_PREFIX "/${MEETC_PC_FOLDER}" "/")
+  string(REGEX REPLACE "/$" "" MEETC_PC_TO_PREFIX "${MEETC_PC_TO_PREFIX}")
+  configure_file("${CMAKE_CURRENT_LIST_DIR}/meetc.pc.in" "${PROJECT_BINARY_DIR}/package/meetc.pc" @ONLY)
+  install(FILES "${PROJECT_BINARY_DIR}/package/meetc.pc" DESTINATION "${MEETC_PC_FOLDER}" COMPONENT meetc_config)
+endif()
+
+if(PROJECT_IS_TOP_LEVEL)
+  include("${CMAKE_CURRENT_LIST_DIR}/packages.cmake")
+endif()

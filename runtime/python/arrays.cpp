@@ -1,5 +1,7 @@
 #include "meet/python/arrays.hpp"
 
+#include "meet/python/poses.hpp"
+
 #include <cstring>
 #include <string>
 
@@ -41,6 +43,12 @@ view view_of(const kind_info &kind, const py::array &numbers, const std::optiona
 void require_packed(const py::array &array, const char *kinds, std::size_t bytes, int dimensions, const char *name) {
   require(is_type(array, kinds, bytes) && array.ndim() == dimensions && (array.flags() & py::array::c_style),
           std::string(name) + ": another type of array is needed");
+}
+
+pose place_of(const py::array &at, const kind_info &kind) {
+  require_packed(at, "f", 8, 1, "pose");
+  require(at.size() == 12, "pose: twelve numbers are needed");
+  return pose_of(span_of<double>(at), kind);
 }
 
 std::span<const std::uint32_t> owners_of(const std::optional<py::array> &owner) {

@@ -5,6 +5,7 @@
 #ifndef MEETC_PYTHON_ARRAYS_HPP
 #define MEETC_PYTHON_ARRAYS_HPP
 
+#include "meet/core/views/pose.hpp"
 #include "meet/core/views/view.hpp"
 #include "meetc/table/table.hpp"
 
@@ -29,6 +30,9 @@ void require_packed(const py::array &array, const char *kinds, std::size_t bytes
 template <class T> std::span<const T> span_of(const py::array &array) {
   return {static_cast<const T *>(array.data()), static_cast<std::size_t>(array.size())};
 }
+
+// A pose of twelve numbers in double. Throws what pose_of() throws.
+pose place_of(const py::array &at, const kind_info &kind);
 
 // The item of each element, 32-bit; empty without an array.
 std::span<const std::uint32_t> owners_of(const std::optional<py::array> &owner);

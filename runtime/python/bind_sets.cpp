@@ -1,7 +1,6 @@
 #include "meet/core/sets/prepared.hpp"
 #include "meet/python/arrays.hpp"
 #include "meet/python/bindings.hpp"
-#include "meet/python/poses.hpp"
 
 namespace meetc::python {
 
@@ -12,13 +11,7 @@ std::shared_ptr<prepared> prepare_arrays(const std::string &kind, const py::arra
                                          int threads) {
   const kind_info &of = kind_named(kind);
   const view elements = view_of(of, numbers, index);
-  pose place;
-  if (at) {
-    require_packed(*at, "f", 8, 1, "pose");
-    if (at->size() != 12)
-      throw py::type_error("pose: twelve numbers are needed");
-    place = pose_of(span_of<double>(*at), of);
-  }
+  const pose place = at ? place_of(*at, of) : pose{};
   const py::gil_scoped_release others_run;
   return std::make_shared<prepared>(prepare(elements, of, place, threads));
 }

@@ -2,20 +2,12 @@
 #include "meet/python/arrays.hpp"
 #include "meet/python/bindings.hpp"
 #include "meet/python/faults.hpp"
-#include "meet/python/poses.hpp"
 
 #include <cga/cga_runtime.hpp>
 
 namespace meetc::python {
 
 namespace {
-
-pose place_of(const py::array &at, const kind_info &kind) {
-  require_packed(at, "f", 8, 1, "pose");
-  if (at.size() != 12)
-    throw py::type_error("pose: twelve numbers are needed");
-  return pose_of(span_of<double>(at), kind);
-}
 
 std::uint32_t add(world &to, const std::string &name, const std::shared_ptr<prepared> &shape, const py::array &at,
                   const std::optional<py::array> &owner) {

@@ -14,6 +14,9 @@ void bind_queries(pybind11::module_ &module);
 void bind_evaluate(pybind11::module_ &module);
 void bind_files(pybind11::module_ &module);
 void bind_world(pybind11::module_ &module);
+void bind_contacts(pybind11::module_ &module);
+void bind_self(pybind11::module_ &module);
+void bind_polygons(pybind11::module_ &module);
 
 // Throw std::invalid_argument for a name that the shipped catalogue does not have.
 const kind_info &kind_named(std::string_view name);

@@ -21,7 +21,7 @@ std::vector<predicate_row> predicates() {
   const catalogue &all = cga::catalogue();
   for (int i = 0; i < all.predicate_count; ++i) {
     const predicate_info &p = all.predicates[i];
-    out.emplace_back(p.name, p.mode, p.a->name, p.b->name, p.first_met != nullptr);
+    out.emplace_back(p.name, p.mode, p.a->name, p.b->name, p.contacts != nullptr);
   }
   return out;
 }
@@ -67,6 +67,9 @@ PYBIND11_MODULE(_native, m) {
   bind_evaluate(m);
   bind_files(m);
   bind_world(m);
+  bind_contacts(m);
+  bind_self(m);
+  bind_polygons(m);
   m.def("predicates", &predicates);
   m.def("kinds", &kinds);
 }

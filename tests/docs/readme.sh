@@ -25,23 +25,36 @@ while IFS= read -r command; do
 done <"$work/commands"
 [ -s "$work/room/touching.csv" ] && [ -s "$work/room/touching.png" ]
 
+# ---- the pairs that plain float misses ----
+for precision in certified fp32; do
+  count=$("$meet" collide "$work/room/demo/animal.ply" "$work/room/demo/animal.ply" --precision $precision --json |
+    sed -E 's/.*"pairs":([0-9]+).*/\1/' | rev | sed -E 's/([0-9]{3})/\1,/g; s/,$//' | rev)
+  grep -Eq "^\| \`$precision\`.* \| $count \| " README.md || { echo "README.md does not show $count pairs of $precision"; exit 1; }
+done
+
 # ---- the measured figures ----
-# cell METHOD COLUMN: a cell of the table of Bunny x Armadillo in docs/measured/gpu.md.
-cell() {
-  awk -F ' *\\| *' -v method="$1" -v column="$2" \
-    '/^### /{on = /^### Bunny x Armadillo:/} on && $2 == method {print $column}' docs/measured/gpu.md
+# cells FILE HEADING NAME COLUMN ...: cells of the row with this name in a table of docs/measured.
+cells() {
+  local file=docs/measured/$1 heading=$2 name=$3
+  shift 3
+  awk -F ' *\\| *' -v heading="$heading" -v name="$name" -v columns="$*" '
+    /^### /{on = index($0, "### " heading) == 1}
+    on && $2 == name {n = split(columns, c, " "); for (i = 1; i <= n; ++i) printf "%s ", $c[i]; found = 1}
+    END {exit !found}' "$file" || { echo "$file has no row '$name' below '$heading'" >&2; exit 1; }
 }
-# shown METHOD: the row of the README that must show its count and its time, the latter to two or three digits.
-shown() {
-  local count time
-  count=$(cell "$1" 3) time=$(printf '%.3g' "$(cell "$1" 4)")
-  [ -n "$count" ] || { echo "docs/measured/gpu.md has no row '$1'"; exit 1; }
-  case $time in 0.???) time=$(printf '%.2f' "$time") ;; esac
-  grep -q "| $count | $time ms |\$" README.md || { echo "README.md does not show '$count | $time ms' of '$1'"; exit 1; }
-}
-shown 'query, certified, hierarchy'
-shown 'Möller, epsilon 0, fp32'
-shown 'Möller, his epsilon, fp32'
+# shows ROW: the README must have this row.
+shows() { grep -qF "$1" README.md || { echo "README.md does not show '$1'"; exit 1; }; }
+read -r pairs build query given <<<"$(cells gpu.md 'A hierarchy of the usual kind' 'Bunny x Armadillo' 5 7 8 11)"
+shows "of which $pairs pairs touch"
+shows "| meetc | proved | $given |"
+shows "| of plain float | $(awk "BEGIN {print $build + $query}") |"
+read -r found both <<<"$(cells cpu.md 'bunny x armadillo' certified 7 6)"
+shows "| meetc | $found pairs, proved | 1 |"
+for method in 'Embree, rtcCollide, low quality' 'CGAL, AABB tree, EPICK' 'FCL, OBBRSS'; do
+  read -r found time <<<"$(cells cpu.md 'bunny x armadillo' "$method" 7 6)"
+  ratio=$(awk "BEGIN {printf \"%.2g\", $time / $both}")
+  grep -qE "^\| $method \| $found pairs[^|]* \| $ratio \|$" README.md || { echo "README.md: $method: $found, $ratio"; exit 1; }
+done
 
 # ---- the example, the links, and the files that are named ----
 [ "$(wc -l <docs/examples/tiny.toml)" -le 10 ]

@@ -4,7 +4,9 @@ include("${CMAKE_CURRENT_LIST_DIR}/steps.cmake")
 file(REMOVE_RECURSE "${PREFIX}" "${RUNTIME_PREFIX}")
 run(${CMAKE_COMMAND} --install "${BUILD}" --config "${CONFIG}" --prefix "${PREFIX}.first")
 file(RENAME "${PREFIX}.first" "${PREFIX}")
-run(${CMAKE_COMMAND} --install "${BUILD}" --config "${CONFIG}" --component meetc_runtime --prefix "${RUNTIME_PREFIX}.first")
+foreach(component meetc_runtime meetc_config)
+  run(${CMAKE_COMMAND} --install "${BUILD}" --config "${CONFIG}" --component ${component} --prefix "${RUNTIME_PREFIX}.first")
+endforeach()
 file(RENAME "${RUNTIME_PREFIX}.first" "${RUNTIME_PREFIX}")
 
 # No package file may contain the path of the build or of the first installation.

@@ -31,7 +31,8 @@ if(NOT headers STREQUAL "meetc;meetc/cga;meetc/meet;meetc/meetc;meetc/neighbours
   fail("installed: ${headers}")
 endif()
 
-# The same project with meetc added in other ways. It is only configured, since the main build has compiled the same code.
+# The same project with meetc added in other ways. It is only configured, since the main build has compiled the same code. A
+# subproject builds no program, and looks for none of the program's libraries.
 function(plan how text)
   string(REPLACE "${find}" "${text}\n" changed "${lists}")
   if(changed STREQUAL lists)
@@ -41,7 +42,8 @@ function(plan how text)
   file(COPY "${ROOM}/library/library.cpp" "${ROOM}/library/pair.cpp" "${ROOM}/library/read.cpp" "${ROOM}/library/values.cpp"
     DESTINATION "${ROOM}/${how}")
   file(WRITE "${ROOM}/${how}/CMakeLists.txt" "${changed}")
-  configure("${ROOM}/${how}" -DMEETC_CUDA=OFF -DMEETC_BUILD_GENERATOR=OFF)
+  configure("${ROOM}/${how}" -DMEETC_CUDA=OFF -DMEETC_BUILD_GENERATOR=OFF -DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON
+    -DCMAKE_DISABLE_FIND_PACKAGE_PNG=ON -DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON)
   if(GENERATOR STREQUAL "Ninja")
     run("${MAKE_PROGRAM}" -C "${ROOM}/${how}-build" -n library)
     expect("libmeet_kernels" "Linking CXX executable library")

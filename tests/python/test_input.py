@@ -5,6 +5,7 @@ import pickle
 import tempfile
 import unittest
 import warnings
+from types import SimpleNamespace
 
 import meetc
 import numpy as np
@@ -30,9 +31,17 @@ class OnDevice:
     __cuda_array_interface__ = {"version": 3}
 
 
-class WithQuads:
-    points = SQUARE
-    faces = np.array([4, 0, 1, 2, 3])
+class OnDeviceByDLPack:
+    def __dlpack_device__(self):
+        return (2, 0)
+
+    def __dlpack__(self, stream=None):
+        raise AssertionError("nothing may be read")
+
+
+def flat(*numbers, points=SQUARE):
+    """An object with flat faces, as PyVista has them."""
+    return SimpleNamespace(points=points, faces=np.array(numbers))
 
 
 INPUT, TYPE, INDEX = meetc.InputError, TypeError, IndexError
@@ -49,15 +58,26 @@ CASES = [
     (lambda: Set.segments([[0, 0, 0]], [[0, 0, 0]] * 2), INPUT, "end: it has 2 rows, and start has 1"),
     (lambda: Set.spheres([[0, 0, 0]] * 2, [1, 2, 3]), INPUT, "radii: it has 3 rows, and centres has 2"),
     (lambda: Set.rays([[0, 0, 0]], [0, 0, 1], length=1), INPUT, "directions: its shape is (3,), not (1, 3)"),
-    (lambda: Set(WithQuads()), INPUT, "faces: not all have three corners"),
+    (lambda: Set(flat(4, 0, 1, 2, 3, 2, 0, 1)), INPUT, "faces[5] is 2, and a face has 3 corners or more"),
+    (lambda: Set(flat(-3, 0, 1, 2)), INPUT, "faces[0] is -3, and a face has 3 corners or more"),
+    (lambda: Set(flat(3, 0, 1, 2, 4, 0, 1, 2)), INPUT, "faces[4] is 4, and 3 numbers follow it"),
+    (lambda: Set(flat(3, 0, 1, 2, 2**62, 0, 1, 2)), INPUT, "faces[4] is 4611686018427387904, and 3 numbers follow it"),
+    (lambda: Set(flat(4, 0, 1, 2, 3, 3, 0, 1, 4)), INPUT, "faces[8] is 4, and vertices has 4 rows"),
+    (lambda: Set(flat(3, 0, 1, 2, 3, 0, -1, 2)), INPUT, "faces[6] is -1, and an index is at least 0"),
+    (lambda: Set(flat(3.0, 0, 1, 2)), TYPE, "faces: indices are integers, not float64"),
+    (lambda: Set(SimpleNamespace(points=SQUARE, faces=np.zeros(0, int))), INPUT, "faces: it is empty"),
+    (lambda: Set(flat(3, 0, 1, 2, 4, 0, 1, 2, 3, points=changed(SQUARE, (3, 1), nan))), INPUT,
+     "vertices[3, 1] is nan (a corner of face 1)"),
     # types
     (lambda: Set(SQUARE.astype(complex), SQUARE_FACES), TYPE,
      "vertices: an array of numbers is needed, not of complex128"),
     (lambda: Set(np.array([["a"] * 3]), SQUARE_FACES), TYPE, "vertices: an array of numbers is needed, not of <U1"),
     (lambda: Set(SQUARE, SQUARE_FACES.astype(float)), TYPE, "faces: indices are integers, not float64"),
     (lambda: Set(SQUARE, SQUARE_FACES > 0), TYPE, "faces: an array of numbers is needed, not of bool"),
-    (lambda: Set(OnDevice(), SQUARE_FACES), TYPE, "vertices: it lies on a CUDA device"),
-    (lambda: Set(SQUARE, OnDevice()), TYPE, "faces: it lies on a CUDA device"),
+    (lambda: Set(OnDevice(), SQUARE_FACES), TYPE, "vertices: it lies on a device, and this build has the CPU alone"),
+    (lambda: Set(SQUARE, OnDevice()), TYPE, "faces: it lies on a device"),
+    (lambda: Set(OnDeviceByDLPack(), SQUARE_FACES), TYPE, "vertices: it lies on a device"),
+    (lambda: meetc.pairs(SET, (SQUARE, OnDeviceByDLPack())), TYPE, "faces: it lies on a device"),
     (lambda: Set([[0, 0, 0, 1]], [[0, 0, 0]], kind="ball"), TYPE, "faces: elements of kind 'ball' have none"),
     (lambda: meetc.pairs(SET, 3), TYPE, "b: a meetc.Set, a mesh with vertices and faces, or a tuple"),
     (lambda: meetc.pairs((1, 2, 3), SET), TYPE, "a: a meetc.Set"),

@@ -2,6 +2,7 @@
 
 import inspect
 import io
+import pickle
 import pydoc
 import unittest
 from types import SimpleNamespace
@@ -29,6 +30,36 @@ class Objects(unittest.TestCase):
             self.assertEqual(meetc.pairs(spike, mesh).tolist(), [[0, 0], [0, 1]])
         self.assertEqual(len(Set(trimesh)), 2)
         self.assertEqual(len(Set(pyvista, name="square")), 2)
+
+    def test_flat_faces_are_polygons(self):
+        dart = np.array([[0, 0, 0], [2, 1, 0], [4, 0, 0], [2, 4, 0], [2, 0.25, 0]], np.float32)
+        for type_ in (np.int32, np.int64, np.uint8):
+            mesh = Set(SimpleNamespace(points=dart, faces=np.array([4, 0, 1, 2, 3, 3, 0, 4, 2], type_)))
+            self.assertEqual((len(mesh), len(mesh._source.corners), mesh.notes), (2, 3, ()))
+            ball = Set.spheres([[2, 3, 0]], [0.25])
+            self.assertEqual(meetc.pairs(ball, mesh).tolist(), [[0, 0]])
+            self.assertEqual(meetc.pairs(Set.points([[2, 0.5, 0]]), mesh).tolist(), [])  # in the notch
+        again = pickle.loads(pickle.dumps(mesh))
+        self.assertEqual((len(again), meetc.hits(again, ball)[0].tolist()), (2, [True, False]))
+        bent = dart * np.float32([1, 1, 0]) + np.float32([0, 0, 1]) * (np.arange(5) == 3)[:, None]
+        with self.assertWarnsRegex(meetc.MeetWarning, "^faces: 1 of 1 polygons is not planar") as caught:
+            mesh = Set(SimpleNamespace(points=bent, faces=np.array([4, 0, 1, 2, 3])))
+        self.assertEqual((caught.filename, len(mesh.notes), len(mesh)), (__file__, 1, 1))
+
+    def test_an_array_of_the_host_comes_by_dlpack(self):
+        class Array:
+            def __init__(self, of):
+                self.of = of
+
+            def __dlpack__(self, stream=None):
+                return self.of.__dlpack__()
+
+            def __dlpack_device__(self):
+                return self.of.__dlpack_device__()
+
+        mesh = Set(Array(SQUARE), Array(SQUARE_FACES))
+        self.assertEqual(meetc.count(mesh, mesh), 4)
+        self.assertTrue(np.shares_memory(mesh._source.numbers, SQUARE))
 
     def test_pages(self):
         a = Set(SQUARE, SQUARE_FACES, name="a <b> & c", pose=[[1, 0, 0, 2], [0, 1, 0, 0], [0, 0, 1, 0]])

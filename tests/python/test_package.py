@@ -42,7 +42,7 @@ class Package(unittest.TestCase):
     def test_the_page_shows_the_examples_and_what_they_print(self):
         with open(os.path.join(SOURCE, "docs/python.md"), encoding="utf-8") as file:
             page = file.read()
-        for name in ("touching.py", "bodies.py", "manager.py"):
+        for name in ("touching.py", "contacts.py", "bodies.py", "manager.py"):
             path = os.path.join(EXAMPLES, name)
             with open(path, encoding="utf-8") as file:
                 self.assertIn(f"<!-- docs/examples/python/{name} -->\n```python\n{file.read()}```\n", page)

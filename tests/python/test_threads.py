@@ -78,6 +78,7 @@ class Threads(unittest.TestCase):
     def test_a_handler_may_raise_what_it_likes(self):
         v, f = sphere_mesh(30)
         a = Set(v, f)
+        crowd = Set.triangles(np.random.default_rng(9).random((40000, 3, 3), np.float32))
 
         class Enough(Exception):
             pass
@@ -85,12 +86,16 @@ class Threads(unittest.TestCase):
         def handler(*_):
             raise Enough
 
+        def many_poses():
+            while True:
+                meetc.over_poses(a, a, np.tile(np.eye(4), (2000, 1, 1)))
+
         before = signal.signal(signal.SIGALRM, handler)
         try:
-            signal.setitimer(signal.ITIMER_REAL, 0.2)
-            with self.assertRaises(Enough):
-                while True:
-                    meetc.over_poses(a, a, np.tile(np.eye(4), (2000, 1, 1)))
+            for call in (many_poses, lambda: meetc.self_pairs(crowd), lambda: meetc.contacts(crowd, crowd)):
+                signal.setitimer(signal.ITIMER_REAL, 0.2)
+                with self.assertRaises(Enough):
+                    call()
         finally:
             signal.setitimer(signal.ITIMER_REAL, 0)
             signal.signal(signal.SIGALRM, before)

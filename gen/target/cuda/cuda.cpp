@@ -29,6 +29,7 @@ constexpr const char *run_parameters =
 
 constexpr const char *first_met_parameters = "(const meetc::cuda::first_met_job &job, cudaStream_t stream)";
 constexpr const char *walk_first_parameters = "(const meetc::cuda::first_walk_job &job, cudaStream_t stream)";
+constexpr const char *contacts_parameters = "(const meetc::cuda::contact_job &job, cudaStream_t stream)";
 
 std::string shape_of(const std::string &kind) {
   return identifier(kind) + "_shape";
@@ -46,14 +47,15 @@ std::string catalogue_text(const unit &u) {
   int count = 0;
   for (const lower::kernel *k : predicates_of(u)) {
     const std::string name = identifier(k->asked.asked->name);
-    predicates +=
-        fmt::format("  {{.name = \"{0}\",\n   .kind_a = {1},\n   .kind_b = {2},\n"
-                    "   .pairs = {{.run = {3}::run, .first_met = {4}, .walk_first = {5}}},\n   .rejects = {6},\n"
-                    "   .by_boxes = {7},\n   .by_balls = {8}}},\n",
-                    k->asked.asked->name, element_place(kinds, *k, 0), element_place(kinds, *k, 1), name,
-                    order_of(u, *k) ? fmt::format("{}::first_met", name) : "nullptr",
-                    walks_first(u, *k) ? fmt::format("{}::walk_first", name) : "nullptr",
-                    !k->decision.reject.atoms.empty(), k->decision.by_boxes, k->decision.by_balls);
+    predicates += fmt::format("  {{.name = \"{0}\",\n   .kind_a = {1},\n   .kind_b = {2},\n"
+                              "   .pairs = {{.run = {3}::run, .first_met = {4},\n"
+                              "             .walk_first = {5}, .contacts = {6}}},\n   .rejects = {7},\n"
+                              "   .by_boxes = {8},\n   .by_balls = {9}}},\n",
+                              k->asked.asked->name, element_place(kinds, *k, 0), element_place(kinds, *k, 1), name,
+                              order_of(u, *k) ? fmt::format("{}::first_met", name) : "nullptr",
+                              walks_first(u, *k) ? fmt::format("{}::walk_first", name) : "nullptr",
+                              contacts_of(u, *k) ? fmt::format("{}::contacts", name) : "nullptr",
+                              !k->decision.reject.atoms.empty(), k->decision.by_boxes, k->decision.by_balls);
     ++count;
   }
   std::string out;
@@ -118,6 +120,8 @@ std::string cuda_header(const unit &u) {
       out += fmt::format("  static cudaError_t first_met{};\n", first_met_parameters);
     if (walks_first(u, *k))
       out += fmt::format("  static cudaError_t walk_first{};\n", walk_first_parameters);
+    if (contacts_of(u, *k))
+      out += fmt::format("  static cudaError_t contacts{};\n", contacts_parameters);
     out += "};\n";
   }
   out += "\n// The launchers of each kind, for the catalogue.\nnamespace kinds {\n";
@@ -209,6 +213,23 @@ std::string cuda_order(const unit &u, const lower::kernel &k, const lower::kerne
   return out + fmt::format("\n}} // namespace cuda\n}} // namespace {}\n", space);
 }
 
+// Several predicates may have contacts by one sign. A kernel's name holds no dot here either.
+std::string contact_source(const lower::kernel &k) {
+  return "contacts." + k.asked.name();
+}
+
+std::string cuda_contacts(const unit &u, const lower::kernel &k, const lower::kernel &side) {
+  const std::string space = identifier(u.scene.space), name = identifier(k.asked.asked->name);
+  return banner(u.scene, fmt::format("Where the hits of {} meet, on a CUDA device.", k.asked.asked->name)) +
+         fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <{0}/{1}.hpp>\n"
+                     "#include <meetc/cuda/contacts.hpp>\n\nnamespace {0} {{\nnamespace cuda {{\n\n"
+                     "cudaError_t {2}::contacts{3} {{\n"
+                     "  return meetc::cuda::contacts<::{0}::{4}_sign, {5}>(job, stream);\n}}\n"
+                     "\n}} // namespace cuda\n}} // namespace {0}\n",
+                     space, side.asked.name(), name, contacts_parameters, identifier(side.asked.name()),
+                     k.decision.inputs_a / 3);
+}
+
 std::string cuda_text(const unit &u, std::size_t kernel) {
   if (u.kernels[kernel].is_sign)
     throw spec_error({}, "only predicates and formulas have CUDA launchers; a sign's header (--emit=cpp) is host and "
@@ -230,6 +251,9 @@ std::vector<file> cuda_files(const unit &u) {
   for (const lower::kernel *k : predicates_of(u))
     if (const lower::kernel *const order = order_of(u, *k))
       out.push_back({fmt::format("{}/src/{}.cu", space, order->asked.name()), cuda_order(u, *k, *order)});
+  for (const lower::kernel *k : predicates_of(u))
+    if (const lower::kernel *const side = contacts_of(u, *k))
+      out.push_back({fmt::format("{}/src/{}.cu", space, contact_source(*k)), cuda_contacts(u, *k, *side)});
   for (const lower::lowered_kind *k : element_kinds(u))
     out.push_back({fmt::format("{}/src/{}.cu", space, kind_source(k->name)), cuda_kind(u, *k)});
   if (formulas)

@@ -54,6 +54,7 @@ struct segment_triangle {
       meetc::cuda::pair_list yes, meetc::cuda::pair_list left, cudaStream_t stream);
   static cudaError_t first_met(const meetc::cuda::first_met_job &job, cudaStream_t stream);
   static cudaError_t walk_first(const meetc::cuda::first_walk_job &job, cudaStream_t stream);
+  static cudaError_t contacts(const meetc::cuda::contact_job &job, cudaStream_t stream);
 };
 struct triangle_triangle {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
@@ -62,6 +63,7 @@ struct triangle_triangle {
       std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t run(meetc::cuda::step which, const float *a, const float *b, meetc::cuda::pair_list in,
       meetc::cuda::pair_list yes, meetc::cuda::pair_list left, cudaStream_t stream);
+  static cudaError_t contacts(const meetc::cuda::contact_job &job, cudaStream_t stream);
 };
 struct sphere_sphere {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,

@@ -59,8 +59,8 @@ void check_self(const arguments &args) {
   if (args.precision != "certified")
     throw failure(
         fmt::format("--precision {}: the answer of --self is certified; leave the option out", args.precision));
-  if (args.device == "cuda")
-    throw failure("--device cuda: --self runs on the CPU; leave the option out");
+  if (args.devices)
+    throw failure("--devices: one device answers --self; leave the option out");
 }
 
 void add_sets(CLI::App &c, arguments &to) {
@@ -181,6 +181,7 @@ printed collide_many(const kernel_library &all, const arguments &args) {
   bodies_request q = bodies_named(args.bodies, r.a, r.b);
   q.mode = mode_named(r.mode);
   q.precision = precision_named(args.precision);
+  q.on = processor_named(args.device);
   q.any = r.any, q.json = r.json, q.pairs = r.pairs;
   if (args.threads)
     q.threads = threads_named(*args.threads);

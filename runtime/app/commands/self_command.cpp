@@ -6,6 +6,7 @@
 #include "meet/app/output/output_files.hpp"
 #include "meet/app/output/paint.hpp"
 #include "meet/app/output/self_report.hpp"
+#include "meet/app/query/device_self.hpp"
 #include "meet/app/text/progress.hpp"
 #include "meet/core/query/find.hpp"
 #include "meet/core/views/nouns.hpp"
@@ -57,6 +58,37 @@ void write_all(const collide_request &q, output_files &outputs, self_report &rep
   outputs.commit();
 }
 
+void find_here(const self_predicates &by, const self_options &options, self_report &report) {
+  const clock::time_point start = clock::now();
+  const prepared set = prepare(report.a, options.threads);
+  set.bounds(report.bounds.lo, report.bounds.hi);
+  report.prepare_seconds = seconds_since(start);
+  report.found = self_pairs(set, view_of(report.a), by, options);
+}
+
+void find_there(const self_predicates &by, const self_options &options, self_report &report) {
+  device_self d = self_pairs_on_device(report.a, by, options);
+  report.on = processor::cuda;
+  report.bounds = d.around;
+  report.prepare_seconds = d.account.start_seconds + d.prepare_seconds;
+  report.by_device = std::move(d.account);
+  report.found = std::move(d.found);
+}
+
+void find_on(processor on, const self_predicates &by, const self_options &options, self_report &report) {
+  if (on == processor::best && device_expected(report.a.elements, options.threads))
+    try {
+      find_there(by, options, report);
+      report.notes.push_back("--device auto took the CUDA device");
+      return;
+    } catch (const failure &e) {
+      if (e.code() != no_device)
+        throw;
+      report.notes.push_back(fmt::format("--device auto took the CPU: {}", e.what()));
+    }
+  on == processor::cuda ? find_there(by, options, report) : find_here(by, options, report);
+}
+
 } // namespace
 
 printed collide_self(const catalogue &all, const catalogue &neighbours, const collide_request &q) {
@@ -73,20 +105,16 @@ printed collide_self(const catalogue &all, const catalogue &neighbours, const co
   report.merged = q.merge;
   report.instruction_set = name_of(all.compiled_for);
 
-  const clock::time_point read = clock::now();
-  const prepared set = prepare(a, q.threads);
-  set.bounds(report.bounds.lo, report.bounds.hi);
-  report.prepare_seconds = seconds_since(read);
   auto progress = std::make_unique<progress_line>("collide");
   self_options options;
   options.threads = q.threads;
   options.merge = q.merge;
   options.owner = a.owner;
   options.progress = [&progress](double fraction) { (*progress)(fraction); };
-  report.found = self_pairs(set, view_of(a),
-                            {find_predicate(all, "triangle_triangle"), find_predicate(neighbours, "beyond_corner"),
-                             find_predicate(neighbours, "beyond_edge")},
-                            options);
+  find_on(q.on,
+          {find_predicate(all, "triangle_triangle"), find_predicate(neighbours, "beyond_corner"),
+           find_predicate(neighbours, "beyond_edge")},
+          options, report);
   progress.reset();
   name_faces(report);
   write_all(q, outputs, report);

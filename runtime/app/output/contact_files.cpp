@@ -2,6 +2,7 @@
 
 #include "meet/app/input/failure.hpp"
 #include "meet/app/input/sets.hpp"
+#include "meet/app/query/device_self.hpp"
 #include "meet/app/text/json.hpp"
 #include "meet/app/text/words.hpp"
 #include "meet/core/contacts/contacts.hpp"
@@ -201,14 +202,27 @@ std::string extension_of(const fs::path &to) {
   return io::lower_case(to.extension().string());
 }
 
+// By the processor that has found the pairs. Where that was a choice of ours and it fails, the CPU takes its place.
+template <class Real>
+contact_set<Real> find_contacts(const io::element_set &first, const io::element_set &second, const query &asked,
+                                const answers &found) {
+  if (found.on == processor::cuda)
+    try {
+      return contacts_on_device<Real>(first, second, *asked.by.predicate, found.element_pairs, asked.threads);
+    } catch (const failure &e) {
+      if (asked.on == processor::cuda || e.code() != no_device)
+        throw;
+    }
+  contact_options options;
+  options.threads = asked.threads;
+  return contacts<Real>(view_of(first), view_of(second), *asked.by.predicate, found.element_pairs, options);
+}
+
 template <class Real>
 contact_counts write_in(const fs::path &to, const io::element_set &a, const io::element_set &b, const query &asked,
                         const answers &found, output_files &outputs) {
   const io::element_set &first = asked.by.swapped ? b : a, &second = asked.by.swapped ? a : b;
-  contact_options options;
-  options.threads = asked.threads;
-  const contact_set<Real> c =
-      contacts<Real>(view_of(first), view_of(second), *asked.by.predicate, found.element_pairs, options);
+  const contact_set<Real> c = find_contacts<Real>(first, second, asked, found);
   const std::string extension = extension_of(to);
   const named_contacts<Real> named{c, a, b, asked.by.swapped};
   outputs.write(to, [&](const fs::path &file) {

@@ -73,12 +73,6 @@ std::string rungs_line(const answers &f) {
   return out.empty() ? "" : fmt::format("rungs used: {}\n", std::string_view(out).substr(0, out.size() - 2));
 }
 
-std::string device_lines(const device_account &d) {
-  return fmt::format("on {}: {:.3f} s to start, {:.6f} s of kernels\n",
-                     d.devices > 1 ? fmt::format("{} devices, the first {}", d.devices, d.device) : d.device,
-                     d.start_seconds, d.device_seconds);
-}
-
 // The effect of a tolerance on the numbers and on the answer.
 std::string tolerance_lines(const query &q) {
   return fmt::format("Numbers were rounded to multiples of 2^{}: an answer may be wrong only where moving one element\n"
@@ -97,6 +91,12 @@ std::string answer_line(const collide_report &r) {
 }
 
 } // namespace
+
+std::string device_line(const device_account &d) {
+  return fmt::format("on {}: {:.3f} s to start, {:.6f} s of kernels\n",
+                     d.devices > 1 ? fmt::format("{} devices, the first {}", d.devices, d.device) : d.device,
+                     d.start_seconds, d.device_seconds);
+}
 
 std::vector<std::string> all_notes(const collide_report &r) {
   std::vector<std::string> out;
@@ -135,7 +135,7 @@ std::string summary(const collide_report &r) {
   out += fmt::format("read {:.3f} s, prepare {:.3f} s, collide {:.3f} s\n", r.read_seconds, f.prepare_seconds,
                      f.collide_seconds);
   if (r.found.on == processor::cuda)
-    out += device_lines(f.by_device);
+    out += device_line(f.by_device);
   for (const std::string &note : all_notes(r))
     out += note + "\n";
   if (r.contacts)

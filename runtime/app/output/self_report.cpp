@@ -1,5 +1,6 @@
 #include "meet/app/output/self_report.hpp"
 
+#include "meet/app/output/report.hpp"
 #include "meet/app/query/choose.hpp"
 #include "meet/app/text/json.hpp"
 #include "meet/app/text/words.hpp"
@@ -86,8 +87,12 @@ std::string summary(const self_report &r) {
                   grouped(f.neighbours[0]), grouped(f.neighbours[1]), grouped(f.neighbours[2]), grouped(f.candidates));
   out +=
       fmt::format("read {:.3f} s, prepare {:.3f} s, collide {:.3f} s\n", r.read_seconds, r.prepare_seconds, f.seconds);
+  if (r.on == processor::cuda)
+    out += device_line(r.by_device);
   for (const std::string &note : r.a.notes)
     out += fmt::format("A: {}\n", note);
+  for (const std::string &note : r.notes)
+    out += note + '\n';
   for (const std::string &file : r.written)
     out += fmt::format("wrote {}\n", file);
   return out;
@@ -109,15 +114,23 @@ std::string as_json(const self_report &r) {
               {"candidates", f.candidates},
               {"rounded", {{"numbers", r.a.rounded.numbers}, {"largest", r.a.rounded.largest}}},
               {"precision", name_of(rung::certified)},
-              {"device", "cpu"},
+              {"device", r.on == processor::cuda ? "cuda" : "cpu"},
               {"unsure", unsure},
               {"seconds",
                {{"read", with_decimals(r.read_seconds, 6)},
                 {"prepare", with_decimals(r.prepare_seconds, 6)},
-                {"collide", with_decimals(f.seconds, 6)}}},
-              {"instruction_set", r.instruction_set}};
-  if (!r.a.notes.empty())
-    out["notes"] = r.a.notes;
+                {"collide", with_decimals(f.seconds, 6)}}}};
+  if (r.on == processor::cuda) {
+    out["device_name"] = r.by_device.device;
+    out["seconds"]["start"] = with_decimals(r.by_device.start_seconds, 6);
+    out["seconds"]["device"] = with_decimals(r.by_device.device_seconds, 6);
+  } else {
+    out["instruction_set"] = r.instruction_set;
+  }
+  std::vector<std::string> notes = r.a.notes;
+  notes.insert(notes.end(), r.notes.begin(), r.notes.end());
+  if (!notes.empty())
+    out["notes"] = notes;
   return in_one_line(out) + '\n';
 }
 

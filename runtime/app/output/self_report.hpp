@@ -2,6 +2,7 @@
 #ifndef MEETC_APP_OUTPUT_SELF_REPORT_HPP
 #define MEETC_APP_OUTPUT_SELF_REPORT_HPP
 
+#include "meet/app/query/device_pairs.hpp"
 #include "meet/core/hierarchy/box.hpp"
 #include "meet/core/query/self_pairs.hpp"
 #include "meet/io/elements/element_set.hpp"
@@ -20,6 +21,9 @@ struct self_report {
   bool moved = false, merged = true;
   double read_seconds = 0, prepare_seconds = 0;
   const char *instruction_set = "";
+  processor on = processor::cpu;       // which of the two answered
+  device_account by_device = {};       // on processor::cuda
+  std::vector<std::string> notes = {}; // on the choice of processor
   std::vector<std::string> written = {};
 
   // About faces, which polygons are as a whole; filled by name_faces().

@@ -9,6 +9,7 @@
 #include "meet/app/text/progress.hpp"
 #include "meet/app/text/words.hpp"
 #include "meet/app/world/poses_file.hpp"
+#include "meet/app/world/world_on.hpp"
 #include "meet/core/world/world.hpp"
 #include "meet/io/read.hpp"
 #include "meet/io/write.hpp"
@@ -43,6 +44,7 @@ struct scene {
   std::vector<const shape *> shapes; // of each body
   std::map<fs::path, shape> by_file;
   world bodies;
+  std::string device; // empty: the CPU
   double read_seconds = 0, prepare_seconds = 0;
 
   scene(const catalogue &all, const bodies_request &q) : bodies(all, q.mode) {}
@@ -119,8 +121,8 @@ std::string summary(const bodies_request &q, const scene &s, const std::vector<f
     candidates += f.found.candidates, near += f.found.near;
     pose += f.found.pose_seconds, collide += f.found.collide_seconds;
   }
-  out += fmt::format("\n{}, on the CPU: {} pairs of bodies near each other, {} candidate pairs decided\n",
-                     name_of(q.precision), grouped(near), grouped(candidates));
+  out += fmt::format("\n{}, on the {}: {} pairs of bodies near each other, {} candidate pairs decided\n",
+                     name_of(q.precision), s.device.empty() ? "CPU" : s.device, grouped(near), grouped(candidates));
   out += fmt::format("read {:.3f} s, prepare {:.3f} s, pose {:.3f} s, collide {:.3f} s\n", s.read_seconds,
                      s.prepare_seconds, pose, collide);
   for (const auto &[file, one] : s.by_file)
@@ -150,17 +152,21 @@ json as_json(const bodies_request &q, const scene &s, const std::vector<frame_an
     for (const std::string &note : one.elements.notes)
       notes.push_back(fmt::format("{}: {}", file.string(), note));
   }
-  return {{"bodies", bodies},
-          {"frames", list},
-          {"rounded", {{"numbers", rounded.numbers}, {"largest", rounded.largest}}},
-          {"notes", notes},
-          {"precision", name_of(q.precision)},
-          {"mode", q.mode},
-          {"seconds",
-           {{"read", with_decimals(s.read_seconds, 6)},
-            {"prepare", with_decimals(s.prepare_seconds, 6)},
-            {"pose", with_decimals(pose, 6)},
-            {"collide", with_decimals(collide, 6)}}}};
+  json out = {{"bodies", bodies},
+              {"frames", list},
+              {"rounded", {{"numbers", rounded.numbers}, {"largest", rounded.largest}}},
+              {"notes", notes},
+              {"precision", name_of(q.precision)},
+              {"mode", q.mode},
+              {"seconds",
+               {{"read", with_decimals(s.read_seconds, 6)},
+                {"prepare", with_decimals(s.prepare_seconds, 6)},
+                {"pose", with_decimals(pose, 6)},
+                {"collide", with_decimals(collide, 6)}}}};
+  out["device"] = s.device.empty() ? "cpu" : "cuda";
+  if (!s.device.empty())
+    out["device_name"] = s.device;
+  return out;
 }
 
 // FRAME_A_B.csv, with the frame's name only where there are frames. Bytes that a file's name should not hold become '_'.
@@ -223,6 +229,8 @@ bodies_report collide_bodies(const catalogue &all, const bodies_request &q) {
   options.box = all.box;
   std::vector<frame_answer> answers;
   bodies_report report;
+  world_on asked(q.on, s.bodies);
+  s.device = asked.device_name();
   {
     progress_line progress("collide");
     for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -230,7 +238,7 @@ bodies_report collide_bodies(const catalogue &all, const bodies_request &q) {
       try {
         for (const auto &[body, at] : frames[i].moved)
           s.bodies.move(body, at);
-        answers.push_back({frames[i].name, s.bodies.touching(options)});
+        answers.push_back({frames[i].name, asked.touching(options)});
       } catch (const std::invalid_argument &e) {
         throw failure(frames[i].name.empty() ? e.what() : fmt::format("frame {}: {}", frames[i].name, e.what()));
       }

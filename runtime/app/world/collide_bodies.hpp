@@ -2,6 +2,7 @@
 #ifndef MEETC_APP_WORLD_COLLIDE_BODIES_HPP
 #define MEETC_APP_WORLD_COLLIDE_BODIES_HPP
 
+#include "meet/app/query/device_pairs.hpp"
 #include "meet/app/world/world_file.hpp"
 #include "meetc/support.hpp"
 
@@ -20,6 +21,7 @@ struct bodies_request {
   std::optional<name_pair> only;
   std::string mode = "solid";
   rung precision = rung::certified;
+  processor on = processor::cpu;
   bool any = false, json = false;
   std::optional<std::filesystem::path> pairs; // a folder
   int threads = 0;

@@ -92,6 +92,24 @@ std::vector<scene> first_scenes(const scene_source &from) {
   return out;
 }
 
+std::vector<scene> contact_scenes(const scene_source &from) {
+  const std::string body = from.name_of_body(), figure = from.name_of_figure();
+  const std::size_t fine = from.quick ? 20'000 : 4'000'000, segments = from.quick ? 500 : 100'000;
+  return {{fmt::format("{} x {}", body, figure), "triangle_triangle",
+           [from] { return two_sets(from.body(), from.figure()); }},
+          {fmt::format("{} x {}, both cut finer", body, figure), "triangle_triangle",
+           [from, fine] { return two_sets(from.finer_body(fine), from.finer_figure(fine)); }},
+          segments_and(from, fmt::format("{} segments as long as the box x {}", segments, figure), segments, 1,
+                       [from] { return from.figure(); })};
+}
+
+std::vector<scene> self_scenes(const scene_source &from) {
+  const std::size_t fine = from.quick ? 20'000 : 4'000'000;
+  return {figure_with_itself(from),
+          {fmt::format("{} cut finer with itself", from.name_of_figure()), "triangle_triangle",
+           [from, fine] { return two_sets(from.finer_figure(fine), {}); }, true}};
+}
+
 std::vector<scene> group_scenes(const scene_source &from) {
   std::vector<scene> out;
   for (int power = from.quick ? 12 : 18; power <= (from.quick ? 14 : 24); power += 2)

@@ -54,6 +54,12 @@ std::vector<scene> hard_scenes(const scene_source &from);
 // Segments as long as a mesh, of which it is asked what they meet first.
 std::vector<scene> first_scenes(const scene_source &from);
 
+// Two meshes that cross along a curve, finer ones, and segments and a mesh.
+std::vector<scene> contact_scenes(const scene_source &from);
+
+// Meshes with themselves.
+std::vector<scene> self_scenes(const scene_source &from);
+
 // Scenes for several devices: balls of growing number, meshes in either order, a mesh with itself, and many segments.
 std::vector<scene> group_scenes(const scene_source &from);
 

@@ -2,19 +2,16 @@
 
 #include "meet/core/contacts/joining.hpp"
 #include "meet/core/contacts/names.hpp"
-#include "meet/core/threads/threads.hpp"
+#include "meet/core/contacts/steps.hpp"
 #include "meet/core/views/check.hpp"
 #include "meet/core/views/numbered.hpp"
 #include "meet/core/views/rows.hpp"
-#include "meetc/contact/place.hpp"
 
 #include <chrono>
 #include <stdexcept>
 
 namespace meetc {
 namespace {
-
-constexpr std::size_t pairs_at_once = 256, nodes_at_once = 512;
 
 void require(bool holds, const std::string &what) {
   if (!holds)
@@ -29,17 +26,17 @@ void require_set(const view &elements, const kind_info &kind, const pose &at) {
 
 template <class Real> class finding {
 public:
-  finding(const predicate_info &predicate, std::span<const index_pair> pairs, int threads)
-      : predicate_(predicate), threads_(thread_count(threads)) {
+  finding(const predicate_info &predicate, std::span<const index_pair> pairs) : predicate_(predicate) {
     out_.pairs.assign(pairs.begin(), pairs.end());
   }
 
-  contact_set<Real> run(const view &a, const view &b, const contact_options &options) {
-    out_.rows_a = touched_by(a, *predicate_.a, options.at_a, out_.pairs, false, in_a_);
-    out_.rows_b = touched_by(b, *predicate_.b, options.at_b, out_.pairs, true, in_b_);
-    find_codes();
+  contact_set<Real> run(contact_steps<Real> &steps, const view &a, const view &b, const contact_options &options) {
+    gather(a, b, options);
+    out_.codes.resize(rows_.size());
+    steps.find_codes(out_.rows_a, out_.rows_b, rows_, out_.codes.data());
     name_nodes();
-    place_nodes();
+    out_.points.resize(3 * out_.sources.size());
+    steps.place_nodes(out_.sources, out_.points.data());
     joined_contacts j = join_contacts(out_.codes, out_.corners, out_.nodes());
     out_.pieces = std::move(j.pieces);
     out_.polylines = std::move(j.polylines);
@@ -52,19 +49,16 @@ public:
 
 private:
   const predicate_info &predicate_;
-  int threads_;
   contact_set<Real> out_;
-  std::vector<std::uint32_t> in_a_, in_b_; // by pair: rows
+  std::vector<index_pair> rows_; // by pair
 
-  void find_codes() {
-    out_.codes.resize(out_.pairs.size());
-    for_chunks(threads_, out_.pairs.size(), pairs_at_once, [&](int, std::size_t begin, std::size_t end) {
-      index_pair rows[pairs_at_once];
-      for (std::size_t i = begin; i < end; ++i)
-        rows[i - begin] = {in_a_[i], in_b_[i]};
-      predicate_.contacts(out_.rows_a.rows.data(), out_.rows_b.rows.data(), rows, end - begin,
-                          out_.codes.data() + begin);
-    });
+  void gather(const view &a, const view &b, const contact_options &options) {
+    std::vector<std::uint32_t> in_a, in_b;
+    out_.rows_a = touched_by(a, *predicate_.a, options.at_a, out_.pairs, false, in_a);
+    out_.rows_b = touched_by(b, *predicate_.b, options.at_b, out_.pairs, true, in_b);
+    rows_.reserve(in_a.size());
+    for (std::size_t i = 0; i < in_a.size(); ++i)
+      rows_.push_back({in_a[i], in_b[i]});
   }
 
   void name_nodes() {
@@ -75,7 +69,7 @@ private:
       for (int l = 0; l < code.labels(); ++l) {
         const unsigned label = code.label(l);
         const std::uint32_t node =
-            nodes.number({names_a.name(in_a_[i], label_a(label)), names_b.name(in_b_[i], label_b(label))});
+            nodes.number({names_a.name(rows_[i].a, label_a(label)), names_b.name(rows_[i].b, label_b(label))});
         out_.corners.nodes.push_back(node);
         if (node == out_.sources.size())
           add_node(i, label);
@@ -84,7 +78,7 @@ private:
     }
   }
   void add_node(std::size_t pair, unsigned label) {
-    out_.sources.push_back({in_a_[pair], in_b_[pair], label});
+    out_.sources.push_back({rows_[pair].a, rows_[pair].b, label});
     const auto part = [](std::uint32_t element, int carrier, int corners) {
       return element_part{element, static_cast<std::uint8_t>(carrier_dimension(carrier, corners)),
                           static_cast<std::uint8_t>(carrier)};
@@ -92,38 +86,36 @@ private:
     out_.on_a.push_back(part(out_.pairs[pair].a, label_a(label), out_.rows_a.corners));
     out_.on_b.push_back(part(out_.pairs[pair].b, label_b(label), out_.rows_b.corners));
   }
-
-  void place_nodes() {
-    out_.points.resize(3 * out_.sources.size());
-    for_chunks(threads_, out_.sources.size(), nodes_at_once, [&](int, std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n) {
-        const node_source &s = out_.sources[n];
-        place_label<Real>(element(out_.rows_a, s.a), element(out_.rows_b, s.b), s.label, out_.points.data() + 3 * n);
-      }
-    });
-  }
-  static contact_element element(const touched_rows &of, std::uint32_t row) {
-    return {of.rows.data() + std::size_t{3} * static_cast<std::size_t>(of.corners) * row, of.corners};
-  }
 };
 
 } // namespace
 
 template <class Real>
-contact_set<Real> contacts(const view &a, const view &b, const predicate_info &predicate,
-                           std::span<const index_pair> pairs, const contact_options &options) {
+contact_set<Real> contacts_by(contact_steps<Real> &steps, const view &a, const view &b, const predicate_info &predicate,
+                              std::span<const index_pair> pairs, const contact_options &options) {
   return under_standard_word([&] {
     const auto start = std::chrono::steady_clock::now();
     require(predicate.contacts != nullptr,
             std::string(predicate.name) + " has none: its scene asks for no sign that its `contacts` names");
     require_set(a, *predicate.a, options.at_a);
     require_set(b, *predicate.b, options.at_b);
-    contact_set<Real> out = finding<Real>(predicate, pairs, options.threads).run(a, b, options);
+    contact_set<Real> out = finding<Real>(predicate, pairs).run(steps, a, b, options);
     out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return out;
   });
 }
 
+template <class Real>
+contact_set<Real> contacts(const view &a, const view &b, const predicate_info &predicate,
+                           std::span<const index_pair> pairs, const contact_options &options) {
+  steps_on_cpu<Real> steps(predicate, options.threads);
+  return contacts_by(steps, a, b, predicate, pairs, options);
+}
+
+template contact_set<float> contacts_by(contact_steps<float> &, const view &, const view &, const predicate_info &,
+                                        std::span<const index_pair>, const contact_options &);
+template contact_set<double> contacts_by(contact_steps<double> &, const view &, const view &, const predicate_info &,
+                                         std::span<const index_pair>, const contact_options &);
 template contact_set<float> contacts(const view &, const view &, const predicate_info &, std::span<const index_pair>,
                                      const contact_options &);
 template contact_set<double> contacts(const view &, const view &, const predicate_info &, std::span<const index_pair>,

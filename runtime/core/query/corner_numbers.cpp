@@ -1,6 +1,7 @@
 #include "meet/core/query/corner_numbers.hpp"
 
 #include "meet/core/answers/answers.hpp"
+#include "meet/core/query/common_corners.hpp"
 #include "meet/core/threads/threads.hpp"
 #include "meet/core/views/numbered.hpp"
 
@@ -63,14 +64,14 @@ corner_stars::corner_stars(const corner_numbers &corners) {
   begin_.assign(corners.empty() ? 1 : most + std::size_t{2}, 0);
   for (const auto &three : corners)
     for (int i = 0; i < 3; ++i)
-      begin_[three[static_cast<std::size_t>(i)] + std::size_t{1}] += is_first(three, i);
+      begin_[three[static_cast<std::size_t>(i)] + std::size_t{1}] += is_first(three.data(), i);
   for (std::size_t n = 1; n < begin_.size(); ++n)
     begin_[n] += begin_[n - 1];
   slots_.resize(begin_.back());
   std::vector<std::uint32_t> next = begin_;
   for (std::size_t slot = 0; slot < corners.size(); ++slot)
     for (int i = 0; i < 3; ++i)
-      if (is_first(corners[slot], i))
+      if (is_first(corners[slot].data(), i))
         slots_[next[corners[slot][static_cast<std::size_t>(i)]]++] = static_cast<std::uint32_t>(slot);
 }
 

@@ -34,11 +34,6 @@ private:
   std::vector<std::uint32_t> slots_;
 };
 
-// Whether a corner is the first one with its number.
-inline bool is_first(const std::array<std::uint32_t, 3> &corners, int i) {
-  return (i < 1 || corners[0] != corners[static_cast<std::size_t>(i)]) && (i < 2 || corners[1] != corners[2]);
-}
-
 } // namespace meetc
 
 #endif

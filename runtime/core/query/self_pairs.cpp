@@ -1,13 +1,13 @@
 #include "meet/core/query/self_pairs.hpp"
 
 #include "meet/core/answers/pair_list.hpp"
+#include "meet/core/query/common_corners.hpp"
 #include "meet/core/query/corner_numbers.hpp"
 #include "meet/core/query/decide.hpp"
 #include "meet/core/query/operand.hpp"
 #include "meet/core/threads/threads.hpp"
 #include "meet/core/views/collinear.hpp"
 
-#include <bit>
 #include <chrono>
 #include <cstring>
 #include <mutex>
@@ -125,38 +125,11 @@ private:
   index_pair pairs_[room], slots_[room];
 };
 
-// The common corners of two elements: which corners of theirs are corners of mine, as bits.
-unsigned common_bits(const corners_of &mine, const corners_of &theirs) {
-  unsigned bits = 0;
-  for (unsigned c = 0; c < 3; ++c)
-    for (unsigned d = 0; d < 3; ++d)
-      bits |= static_cast<unsigned>(mine[c] == theirs[d]) << (3 * c + d);
-  return bits;
-}
-
-// For each such pattern, the order in which the common corners come first in both.
-struct common_order {
-  std::uint8_t common = 0, first = 0; // how many, and the first of mine
-  std::uint8_t mine[3] = {}, theirs[3] = {};
-};
+// By bits of first corners.
 constexpr std::array<common_order, 512> common_orders = [] {
   std::array<common_order, 512> all{};
-  for (unsigned bits = 0; bits < 512; ++bits) {
-    common_order &o = all[bits];
-    unsigned left_mine = 7, left_theirs = 7;
-    const auto put = [&](unsigned c, unsigned d) {
-      o.mine[o.common] = static_cast<std::uint8_t>(c), o.theirs[o.common++] = static_cast<std::uint8_t>(d);
-      left_mine &= ~(1U << c), left_theirs &= ~(1U << d);
-    };
-    for (unsigned c = 0; c < 3; ++c)
-      if (const unsigned row = bits >> (3 * c) & 7)
-        put(c, static_cast<unsigned>(std::countr_zero(row)));
-    o.first = o.mine[0];
-    const std::uint8_t common = o.common;
-    while (o.common < 3)
-      put(static_cast<unsigned>(std::countr_zero(left_mine)), static_cast<unsigned>(std::countr_zero(left_theirs)));
-    o.common = common;
-  }
+  for (unsigned bits = 0; bits < 512; ++bits)
+    all[bits] = order_by(bits);
   return all;
 }();
 
@@ -169,15 +142,13 @@ public:
 
   void visit(std::uint32_t s) {
     const corners_of &mine = mesh_.corners[s];
-    unsigned repeated = 0; // corners of mine that are another one before, as bits of a pattern
-    for (int c = 0; c < 3; ++c)
-      repeated |= is_first(mine, c) ? 0U : 7U << (3 * c);
+    const unsigned first = bits_of_first(mine.data());
     for (unsigned c = 0; c < 3; ++c) {
-      if (repeated >> (3 * c) & 1)
+      if ((first >> (3 * c) & 1) == 0)
         continue;
       const std::span<const std::uint32_t> around = stars_.of(mine[c]);
       for (std::size_t i = around.size(); i-- > 0 && around[i] > s;)
-        meet(s, c, around[i], repeated);
+        meet(s, c, around[i], first);
     }
   }
   void finish(self_result &r) {
@@ -191,9 +162,10 @@ public:
   }
 
 private:
-  void meet(std::uint32_t s, unsigned first, std::uint32_t t, unsigned repeated) {
-    const common_order &o = common_orders[common_bits(mesh_.corners[s], mesh_.corners[t]) & ~repeated];
-    if (o.first < first || mesh_.one_item(s, t)) // it was met there
+  // They have corner c of s in common.
+  void meet(std::uint32_t s, unsigned c, std::uint32_t t, unsigned first) {
+    const common_order &o = common_orders[common_bits(mesh_.corners[s].data(), mesh_.corners[t].data()) & first];
+    if (o.mine[0] < c || mesh_.one_item(s, t)) // it was met there
       return;
     ++found_[o.common - 1];
     if (o.common < 3)

@@ -2,8 +2,6 @@
 
 #include <meetc/decide/bytecode.hpp>
 
-#include <cmath>
-
 namespace meetc {
 namespace {
 
@@ -33,19 +31,8 @@ bool collinear_in_integers(const float *row) {
 
 } // namespace
 
-// In doubles a difference of floats and a product of two have relative errors of 2^-53 each, and nothing under- or overflows:
-// a difference of products is off by at most 2^-50 times the sum of their magnitudes.
 bool collinear(const float *row) {
-  const auto edge = [row](int corner, int axis) {
-    return static_cast<double>(row[3 * corner + axis]) - static_cast<double>(row[axis]);
-  };
-  for (int k = 0; k < 3; ++k) {
-    const int l = (k + 1) % 3;
-    const double x = edge(1, k) * edge(2, l), y = edge(1, l) * edge(2, k);
-    if (std::fabs(x - y) > 0x1p-50 * (std::fabs(x) + std::fabs(y)))
-      return false;
-  }
-  return collinear_in_integers(row);
+  return may_be_collinear(row) && collinear_in_integers(row);
 }
 
 } // namespace meetc

@@ -50,21 +50,22 @@ std::vector<box> parts_of(const element_set &set, const pose &at) {
   return out;
 }
 
-// The answer with the sets exchanged.
-result exchanged(result r) {
-  r.pairs = transposed(std::move(r.pairs));
-  std::swap(r.flags.a, r.flags.b);
-  std::swap(r.counts.a, r.counts.b);
-  std::swap(r.rungs.left_box_a, r.rungs.left_box_b);
-  return r;
-}
-
 void require_movable(const std::string &name, const kind_info &kind, const pose &at) {
   if (const status s = movable(kind, at); s != status::ok)
     throw std::invalid_argument("body " + name + ": " + text(s));
 }
 
 } // namespace
+
+touching_bodies near_bodies::told(result found) const {
+  if (by.swapped) {
+    found.pairs = transposed(std::move(found.pairs));
+    std::swap(found.flags.a, found.flags.b);
+    std::swap(found.counts.a, found.counts.b);
+    std::swap(found.rungs.left_box_a, found.rungs.left_box_b);
+  }
+  return {a, b, std::move(found)};
+}
 
 world::world(const catalogue &all, std::string_view mode) : all_(all), mode_(mode) {}
 
@@ -116,8 +117,18 @@ world_answer world::touching(const world_options &options) const {
   return under_standard_word([&] { return ask(options); });
 }
 
-std::vector<world::near_bodies> world::near_pairs(std::span<const box> bounds,
-                                                  std::span<const std::uint32_t> of) const {
+std::vector<box> world::bounds() const {
+  std::vector<box> out;
+  for (const entry &b : bodies_)
+    out.push_back(posed_box(b.at, b.shape->set().around, b.shape->set().longest));
+  return out;
+}
+
+std::vector<near_bodies> world::near(std::span<const std::uint32_t> of) const {
+  return under_standard_word([&] { return near_pairs(bounds(), of); });
+}
+
+std::vector<near_bodies> world::near_pairs(std::span<const box> bounds, std::span<const std::uint32_t> of) const {
   std::vector<std::uint8_t> asked(bodies_.size(), 0);
   for (const std::uint32_t body : of)
     asked.at(body) = 1;
@@ -162,22 +173,18 @@ void world::pose_shapes(std::span<const box> bounds, std::span<const near_bodies
 
 result world::collide_pair(const near_bodies &p, std::span<const prepared> shapes, const world_options &options,
                            int threads) const {
-  const std::uint32_t first = p.by.swapped ? p.b : p.a, second = p.by.swapped ? p.a : p.b;
   collide_options of_pair;
   of_pair.want = options.want;
   of_pair.threads = threads;
   of_pair.box = options.box;
-  of_pair.owner_a = bodies_[first].owners, of_pair.owner_b = bodies_[second].owners;
-  result r = collide(shapes[first], shapes[second], *p.by.predicate, options.precision, of_pair);
-  return p.by.swapped ? exchanged(std::move(r)) : r;
+  of_pair.owner_a = bodies_[p.first()].owners, of_pair.owner_b = bodies_[p.second()].owners;
+  return collide(shapes[p.first()], shapes[p.second()], *p.by.predicate, options.precision, of_pair);
 }
 
 world_answer world::ask(const world_options &options) const {
   const auto start = clock::now();
   const int threads = thread_count(options.threads);
-  std::vector<box> bounds;
-  for (const entry &b : bodies_)
-    bounds.push_back(posed_box(b.at, b.shape->set().around, b.shape->set().longest));
+  const std::vector<box> bounds = this->bounds();
   const std::vector<near_bodies> pairs = near_pairs(bounds, options.of);
   std::vector<prepared> shapes;
   {
@@ -206,7 +213,7 @@ world_answer world::ask(const world_options &options) const {
       out.candidates += r.candidates;
       if (r.count == 0)
         continue;
-      out.touching.push_back({pairs[i].a, pairs[i].b, std::move(r)});
+      out.touching.push_back(pairs[i].told(std::move(r)));
       if (options.first)
         counter.close();
     }

@@ -46,6 +46,18 @@ struct world_answer {
   double pose_seconds = 0, collide_seconds = 0;
 };
 
+// Two bodies whose bounds touch and that are not ignored, a < b, and the predicate that decides them.
+struct near_bodies {
+  std::uint32_t a, b;
+  choice by;
+
+  // The operands of the predicate.
+  std::uint32_t first() const { return by.swapped ? b : a; }
+  std::uint32_t second() const { return by.swapped ? a : b; }
+  // Its answer, about the bodies.
+  touching_bodies told(result found) const;
+};
+
 // It may be asked by several threads at once, and changed by one at a time while none asks.
 class world {
 public:
@@ -67,12 +79,15 @@ public:
   const std::string &name(std::uint32_t body) const { return bodies_.at(body).name; }
   const pose &at(std::uint32_t body) const { return bodies_.at(body).at; }
   const prepared &shape(std::uint32_t body) const { return *bodies_.at(body).shape; }
+  std::span<const std::uint32_t> owners(std::uint32_t body) const { return bodies_.at(body).owners; }
   std::optional<std::uint32_t> find(std::string_view name) const;
 
   // Throws std::invalid_argument where no predicate fits two bodies that are near each other, or is not generated for the
   // precision; std::out_of_range for a body of options.of that is not there; input_error where an element is not finite in its
   // pose, or breaks a rule of its kind there; std::bad_alloc.
   world_answer touching(const world_options &options = {}) const;
+  // The pairs of bodies that touching() decides, sorted by a, then b. of: as in the options. Throws likewise.
+  std::vector<near_bodies> near(std::span<const std::uint32_t> of = {}) const;
 
 private:
   struct entry {
@@ -81,11 +96,8 @@ private:
     pose at;
     std::vector<std::uint32_t> owners;
   };
-  struct near_bodies {
-    std::uint32_t a, b;
-    choice by;
-  };
   choice predicate_of(const entry &a, const entry &b) const;
+  std::vector<box> bounds() const;
   std::vector<near_bodies> near_pairs(std::span<const box> bounds, std::span<const std::uint32_t> of) const;
   void pose_shapes(std::span<const box> bounds, std::span<const near_bodies> pairs, int threads,
                    std::vector<prepared> &shapes) const;

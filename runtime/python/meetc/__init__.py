@@ -9,7 +9,9 @@ A set is a meetc.Set, which is prepared once and collided often, or a mesh: an o
 one with points and faces (PyVista), or a tuple (vertices, faces), which is prepared for this call.
 
     pairs, count, touches, hits, counts   what touches, as a list, a number, a bool, flags or numbers for each element
-    first                                 the triangle that a segment or a ray meets first
+    contacts                              where they meet: points, segments, polygons, and the lines that these make
+    self_pairs                            where a mesh crosses itself
+    first, hit_points                     the triangle that a segment or a ray meets first, and where; all points of hits
     over_poses                            one set against another one in many poses
     World                                 many bodies that move, and which of them touch
     evaluate, formula, formulas           the values of a formula of the geometric algebra
@@ -20,18 +22,24 @@ array, the row and the value; TypeError for what is no array of numbers; IndexEr
 there. Ctrl-C ends a query. Queries release the interpreter's lock, and a set may be used by several threads.
 """
 
+from meetc._contacts import Contacts, Lines, contacts
 from meetc._errors import InputError, MeetError, MeetWarning, RoundedWarning
 from meetc._evaluate import evaluate, formula, formulas
+from meetc._hits import HitPoints, first, hit_points
 from meetc._native import version as __version__
-from meetc._queries import count, counts, first, hits, over_poses, pairs, touches
+from meetc._queries import count, counts, hits, over_poses, pairs, touches
+from meetc._self import self_pairs
 from meetc._set import Set
 from meetc._types import Formula, Kind, Meshlike, Precision, Rounded
 from meetc._world import World
 
 __all__ = [
+    "Contacts",
     "Formula",
+    "HitPoints",
     "InputError",
     "Kind",
+    "Lines",
     "MeetError",
     "MeetWarning",
     "Meshlike",
@@ -41,19 +49,23 @@ __all__ = [
     "Set",
     "World",
     "__version__",
+    "contacts",
     "count",
     "counts",
     "evaluate",
     "first",
     "formula",
     "formulas",
+    "hit_points",
     "hits",
     "over_poses",
     "pairs",
+    "self_pairs",
     "touches",
 ]
 
-for _public in (InputError, MeetError, MeetWarning, RoundedWarning, Formula, Rounded, Set, World, evaluate, formula, formulas,
-                count, counts, first, hits, over_poses, pairs, touches):
+for _public in (InputError, MeetError, MeetWarning, RoundedWarning, Contacts, Formula, HitPoints, Lines, Rounded, Set, World,
+                contacts, evaluate, formula, formulas, count, counts, first, hit_points, hits, over_poses, pairs, self_pairs,
+                touches):
     _public.__module__ = __name__
 del _public

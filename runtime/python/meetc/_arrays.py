@@ -17,6 +17,7 @@ from meetc._errors import InputError, MeetWarning, RoundedWarning
 from meetc._types import Doubles, Floats, Rounded
 
 NOT_MOVED = Rounded(0, 0.0)
+HOSTS = (1, 3, 11)  # DLPack's numbers of memory that the host reads: its own, and that pinned for CUDA and ROCm
 MOST = 2**31 - 1  # elements, since -1 stands for none in int32
 
 
@@ -24,12 +25,22 @@ def shape_text(shape: tuple[int, ...]) -> str:
     return "(" + ", ".join(map(str, shape)) + ("," if len(shape) == 1 else "") + ")"
 
 
+def _on_device(value: Any) -> bool:
+    """Whether an array says by the CUDA array interface, or by DLPack, that the host cannot read it."""
+    if hasattr(value, "__array_interface__"):
+        return False
+    if hasattr(value, "__cuda_array_interface__"):
+        return True
+    return hasattr(value, "__dlpack_device__") and value.__dlpack_device__()[0] not in HOSTS
+
+
 def as_array(value: Any, name: str) -> NDArray[Any]:
     """Any array-like as an array of numbers; a device's array is refused rather than copied unseen."""
-    if hasattr(value, "__cuda_array_interface__") and not hasattr(value, "__array_interface__"):
-        raise TypeError(f"{name}: it lies on a CUDA device, and this build has the CPU alone; copy it to the host first")
+    if _on_device(value):
+        raise TypeError(f"{name}: it lies on a device, and this build has the CPU alone; copy it to the host first")
+    by_dlpack = hasattr(value, "__dlpack__") and not hasattr(value, "__array__") and not hasattr(value, "__len__")
     try:
-        array = np.asarray(value)
+        array = np.from_dlpack(value) if by_dlpack else np.asarray(value)
     except ValueError:
         raise InputError(f"{name}: its rows have different lengths", array=name) from None
     if array.dtype.kind not in "fiu":

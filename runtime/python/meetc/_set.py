@@ -7,10 +7,11 @@ import os
 from typing import Any, cast
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from meetc import _arrays, _native
 from meetc._errors import InputError, MeetWarning
+from meetc._polygons import triangles_of
 from meetc._source import WIDTHS, Source, is_mesh, mesh_of
 from meetc._types import Doubles, Floats, HasFaces, HasPoints, Kind, Meshlike, Rounded
 
@@ -52,10 +53,13 @@ class Set:
     ) -> None:
         if kind not in WIDTHS:
             raise InputError(f"kind: {kind!r} is unknown; known: {', '.join(WIDTHS)}", value=kind)
+        owner, flat = None, False
+        notes: tuple[str, ...] = ()
         if faces is None and is_mesh(vertices):
             if kind != "triangle":
                 raise InputError(f"kind: an object with faces is of triangles, not of kind {kind!r}", value=kind)
             vertices, faces = mesh_of(vertices)
+            flat = np.ndim(faces) == 1
         if faces is None:
             rows, rounded = _arrays.numbers(cast(ArrayLike, vertices), "vertices", WIDTHS[kind])
             shape = np.shape(cast(Any, vertices))[1:]
@@ -64,10 +68,15 @@ class Set:
             if kind not in ("triangle", "segment"):
                 raise TypeError(f"faces: elements of kind {kind!r} have none")
             rows, rounded = _arrays.numbers(cast(ArrayLike, vertices), "vertices", (3,))
-            wide = 3 if kind == "triangle" else 2
-            index = _arrays.indices(faces, "faces", wide, len(rows), "vertices")
-            arrays = Source(kind, rows, index, None, len(index), (("vertices", (3,)),), rounded, ())
+            if flat:
+                index, owner, items, notes = triangles_of(cast(Any, faces), rows, _arrays.require_threads(threads))
+            else:
+                index = _arrays.indices(faces, "faces", 3 if kind == "triangle" else 2, len(rows), "vertices")
+                items = len(index)
+            arrays = Source(kind, rows, index, owner, items, (("vertices", (3,)),), rounded, notes)
         self._prepare(arrays, pose, threads, name)
+        for note in notes:
+            _arrays.warn(note, MeetWarning)
         _arrays.tell_rounding(rounded, "vertices", rows.size)
 
     def _prepare(self, arrays: Source, pose: ArrayLike | None, threads: int, name: str | None) -> None:
@@ -220,8 +229,11 @@ class Set:
             self._unposed = self.at(None)
         return self._unposed
 
+    def _as_arrays(self) -> tuple[Floats, NDArray[Any] | None, Doubles | None]:
+        return self._source.numbers, self._source.corners, self._pose
+
     def __len__(self) -> int:
-        """The number of elements that answers speak of: for a file, of its faces."""
+        """The number of elements that answers speak of: faces, also where these were cut into triangles."""
         return self._source.items
 
     @property
@@ -248,7 +260,7 @@ class Set:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """The notes of the reader on its file."""
+        """Notes on the input: parts of a file that are left out, polygons that are not planar or cross themselves."""
         return self._source.notes
 
     def __reduce__(self) -> tuple[Any, ...]:

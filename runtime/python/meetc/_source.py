@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from meetc import _arrays, _native
 from meetc._errors import InputError
-from meetc._types import Floats, Kind, Rounded
+from meetc._types import Floats, Ints, Kind, Rounded
 
 WIDTHS: dict[str, tuple[int, ...]] = {
     "triangle": (3, 3, 9),
@@ -33,6 +33,10 @@ class Source(NamedTuple):
     rounded: Rounded
     notes: tuple[str, ...]
 
+    def items_of(self, elements: Ints) -> Ints:
+        """The items of elements: faces, where these were cut into triangles."""
+        return elements if self.owner is None else self.owner[elements].astype(np.int32)
+
     def native_kind(self) -> str:
         return "sphere" if self.kind == "ball" else self.kind
 
@@ -53,16 +57,15 @@ class Source(NamedTuple):
     def explain(self, fault: _native.Fault) -> InputError:
         """The line that names array, row and value."""
         noun = "face" if self.corners is not None and self.kind == "triangle" else self.kind
+        item = fault.element if self.owner is None else int(self.owner[fault.element])
         if fault.kind in ("value", "moved"):
             place, row, value = self.place(fault.element, fault.field)
             text = f"{place} is {value}"
             if fault.kind == "moved":
                 text += f", and {fault.value} under the pose"
             if self.corners is not None:
-                text += f" (a corner of {noun} {fault.element})"
-            return InputError(
-                text, array=place[: place.index("[")], row=row, element=fault.element, value=value
-            )
+                text += f" (a corner of {noun} {item})"
+            return InputError(text, array=place[: place.index("[")], row=row, element=item, value=value)
         if fault.kind == "rule":
             row_of, values, at = self.numbers[fault.element], [], 0
             for name, shape in self.parts:
@@ -86,11 +89,6 @@ def is_mesh(value: object) -> bool:
 
 
 def mesh_of(mesh: Any) -> tuple[Any, NDArray[Any]]:
-    """Vertices and faces of an object that has them."""
+    """Vertices and faces of an object that has them. The faces may be flat (_polygons.py)."""
     vertices = mesh.vertices if hasattr(mesh, "vertices") else mesh.points
-    faces = _arrays.as_array(mesh.faces, "faces")
-    if faces.ndim != 1:
-        return vertices, faces
-    if len(faces) % 4 or (faces[::4] != 3).any():  # as VTK has them: the number of corners, then the corners
-        raise InputError("faces: not all have three corners; give the mesh's triangulate()", array="faces")
-    return vertices, faces.reshape(-1, 4)[:, 1:]
+    return vertices, _arrays.as_array(mesh.faces, "faces")

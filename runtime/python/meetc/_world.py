@@ -24,7 +24,8 @@ _IDENTITY: Doubles = np.eye(4)[:3].reshape(12)
 def pose_of(shape: Set, pose: ArrayLike | None) -> Doubles:
     """Twelve numbers: the pose, or that of the set where none is given."""
     if pose is not None:
-        return _arrays.poses(pose, "pose", False)[0]
+        at: Doubles = _arrays.poses(pose, "pose", False)[0]
+        return at
     return _IDENTITY if shape._pose is None else shape._pose
 
 

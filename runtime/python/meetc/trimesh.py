@@ -41,7 +41,7 @@ class ContactData:
 
     @property
     def point(self) -> NoReturn:
-        raise NotImplementedError("point: call index(name), which has the two triangles that touch")
+        raise NotImplementedError("point: call index(name), and meetc.contacts, which has the points in which triangles meet")
 
     @property
     def normal(self) -> NoReturn:

@@ -59,7 +59,7 @@ else
 fi
 
 ! does bench || step bench_gpu "$meet" bench gpu -o "$out" ${data:+--data "$data"}
-for table in hard lbvh first memory formulas; do
+for table in hard lbvh first contacts self bodies memory formulas; do
   ! does bench || step "bench_$table" timeout 150 "$meet" bench gpu --only $table -o "$out/$table" ${data:+--data "$data"}
 done
 if does bench && [ "$(nvidia-smi --list-gpus 2>/dev/null | wc -l)" -gt 1 ]; then

@@ -106,11 +106,21 @@ void call_world(caller &under) {
     under.add(found.near), under.add(found.candidates);
     for (const touching_bodies &t : found.touching)
       under.add(t.a), under.add(t.b), under.add_all(t.found.pairs);
+    std::vector<near_bodies> near;
+    under([&] { near = w->near(); });
+    for (const near_bodies &n : near) {
+      under.add(n.a), under.add(n.b), under.add(n.by.predicate);
+      under([&] {
+        result r;
+        r.pairs = {{1, 2}};
+        under.add(n.first()), under.add(n.second()), under.add_all(n.told(std::move(r)).found.pairs);
+      });
+    }
   }
   under([&] {
     under.add(w->size()), under.add(w->find("b").value_or(7)), under.add(w->at(0).m[0]);
     under.answer += w->name(1);
-    under.add(w->shape(1).elements());
+    under.add(w->shape(1).elements()), under.add(w->owners(1).size());
   });
 }
 
@@ -133,6 +143,11 @@ constexpr entry all[] = {
     {"world::shape", call_world},
     {"world::find", call_world},
     {"world::touching", call_world},
+    {"world::near", call_world},
+    {"world::owners", call_world},
+    {"near_bodies::first", call_world},
+    {"near_bodies::second", call_world},
+    {"near_bodies::told", call_world},
 };
 
 } // namespace

@@ -1,60 +1,22 @@
 // Many bodies that have all moved: preparing each in its pose, and posing the prepared ones.
+#include "meet/bench/scenes/many_bodies.hpp"
 #include "meet/bench/tables/cpu/cpu.hpp"
 
 #include "meet/app/query/choose.hpp"
 #include "meet/app/text/words.hpp"
-#include "meet/bodies/meshes.hpp"
-#include "meet/core/sets/posed_blocks.hpp"
-#include "meet/core/world/world.hpp"
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <list>
-#include <random>
 
 namespace meetc::bench {
 
-namespace {
-
-// Rotates about y by a quarter turn at most, and moves the body within a cube of this half side.
-pose drawn(std::mt19937 &g, double range) {
-  const auto uniform = [&g](double lo, double hi) { return lo + (hi - lo) * (static_cast<double>(g()) * 0x1p-32); };
-  const double t = uniform(-1, 1), c = (1 - t * t) / (1 + t * t), s = 2 * t / (1 + t * t);
-  pose p;
-  const double m[12] = {c,  0, s, uniform(-range, range), 0, 1, 0, uniform(-range, range),
-                        -s, 0, c, uniform(-range, range)};
-  std::copy_n(m, 12, p.m);
-  return p;
-}
-
-std::vector<index_pair> touching_pairs(const world_answer &found) {
-  std::vector<index_pair> out;
-  for (const touching_bodies &t : found.touching)
-    for (std::uint64_t i = 0; i < t.found.count; ++i) // a pair of bodies for each pair of their faces
-      out.push_back({t.a, t.b});
-  return out;
-}
-
-} // namespace
-
 void measure_moved_bodies(const cpu_context &c, cpu_result &to) {
-  const std::size_t bodies_wanted = c.quick ? 10 : 100;
   const catalogue &all = c.best();
-  const bodies::mesh shape = bodies::torus(50, 50);
-  const view faces{shape.xyz.data(), shape.vertices(), 0, shape.index.data(), shape.triangles()};
-  const kind_info *triangle = nullptr;
-  for (int i = 0; i < all.kind_count; ++i)
-    if (all.kinds[i].points == 3)
-      triangle = &all.kinds[i];
-  const predicate_info &p = *app::choose(all, *triangle, *triangle, {}, {}).predicate;
-
-  world bodies(all);
-  const auto own = std::make_shared<prepared>(prepare(faces, *triangle, {}, c.threads));
-  std::mt19937 g(1);
-  for (std::size_t i = 0; i < bodies_wanted; ++i)
-    bodies.add(fmt::format("body {}", i), own, drawn(g, 1.5 * std::cbrt(static_cast<double>(bodies_wanted))));
-  const auto count = static_cast<std::uint32_t>(bodies.size());
+  const many_bodies scene(all, c.quick ? 10 : 100, c.threads);
+  const world &bodies = scene.bodies();
+  const std::uint32_t count = scene.count();
+  const predicate_info &p = *app::choose(all, scene.kind(), scene.kind(), {}, {}).predicate;
 
   std::list<prepared> in_place;
   std::vector<const prepared *> sets(count);
@@ -63,7 +25,7 @@ void measure_moved_bodies(const cpu_context &c, cpu_result &to) {
   const auto prepare_all = [&] {
     in_place.clear();
     for (std::uint32_t i = 0; i < count; ++i) {
-      sets[i] = &in_place.emplace_back(prepare(faces, *triangle, bodies.at(i), c.threads));
+      sets[i] = &in_place.emplace_back(prepare(scene.faces(), scene.kind(), bodies.at(i), c.threads));
       sets[i]->bounds(bounds[i].lo, bounds[i].hi);
     }
   };
@@ -123,7 +85,7 @@ void measure_moved_bodies(const cpu_context &c, cpu_result &to) {
   to.tables.push_back(table_of<row>(
       "many_bodies",
       fmt::format("Many bodies: {} of {} triangles each, all moved, {}: {} pairs of bodies touch", count,
-                  app::grouped(shape.triangles()), c.best_name(), by_sets.touching.size()),
+                  app::grouped(scene.faces().elements), c.best_name(), by_sets.touching.size()),
       {{"method", "method", of_words, &row::method},
        {"move_ms", "move,|ms", step(&row::move)},
        {"collide_ms", "collide,|ms", step(&row::collide)},

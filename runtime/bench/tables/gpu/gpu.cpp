@@ -43,6 +43,10 @@ constexpr named_table named_tables[] = {
      [](gpu_bench &on, const auto &scenes, const auto &step) { return on.measure_lbvh(scenes, step); }},
     {"first", true, first_scenes,
      [](gpu_bench &on, const auto &scenes, const auto &step) { return on.measure_first(scenes, step); }},
+    {"contacts", true, contact_scenes,
+     [](gpu_bench &on, const auto &scenes, const auto &step) { return on.measure_contacts(scenes, step); }},
+    {"self", true, self_scenes,
+     [](gpu_bench &on, const auto &scenes, const auto &step) { return on.measure_self(scenes, step); }},
     {"memory", true, growth_scenes,
      [](gpu_bench &on, const auto &scenes, const auto &step) { return on.measure_memory(scenes, step); }},
     {"group", true, group_scenes,
@@ -83,7 +87,8 @@ std::vector<table> measure_all(gpu_bench &on, const scene_source &from, const re
   for (const wanted_table &t : wanted)
     steps += t.scenes.size();
   const bool formulas = is_asked(q, "formulas", true);
-  if (steps == 1 && !poses && !formulas)
+  const bool bodies = is_asked(q, "bodies", true);
+  if (steps == 1 && !poses && !formulas && !bodies)
     throw app::failure(fmt::format("--only {}: no scene has this in its name", io::quote(*q.only)));
   app::progress_line progress("bench gpu");
   double done = 0;
@@ -101,6 +106,8 @@ std::vector<table> measure_all(gpu_bench &on, const scene_source &from, const re
     out.push_back(on.measure_poses(*poses));
   if (formulas)
     out.push_back(on.measure_formulas(q.quick ? 100'000 : 20'000'000));
+  if (bodies)
+    out.push_back(on.measure_bodies(q.quick ? 10 : 100, q.quick ? 3 : 31));
   return out;
 }
 

@@ -37,6 +37,9 @@ public:
   table measure_lbvh(const std::vector<scene> &scenes, const std::function<void()> &progress);
   // The first triangles that segments meet, beside the nearest hits of a hierarchy of the usual kind.
   table measure_first(const std::vector<scene> &scenes, const std::function<void()> &progress);
+  // Where pairs meet, and where meshes cross themselves, beside the CPU.
+  table measure_contacts(const std::vector<scene> &scenes, const std::function<void()> &progress);
+  table measure_self(const std::vector<scene> &scenes, const std::function<void()> &progress);
   // The same queries on one device of this host and on all of them. Throws app::failure where there is one.
   table measure_group(const std::vector<scene> &scenes, const std::function<void()> &progress);
   // Queries on sets as they are given, beside the time that reading both sets once takes.
@@ -45,6 +48,8 @@ public:
   table measure_formulas(std::size_t values);
   // One mesh against another in many poses, of three classes and mixed.
   table measure_poses(const posed_meshes &meshes);
+  // So many bodies that move before each question, on the device and on the CPU.
+  table measure_bodies(std::size_t count, int frames);
 
 private:
   struct counted_pairs {

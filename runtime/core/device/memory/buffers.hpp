@@ -10,7 +10,8 @@
 
 namespace meetc {
 
-// The counters of a query: its lists, the items of a walk that warps have taken, and whether its hits are in no order.
+// The counters of a query: its lists, the items of a walk that warps have taken, and whether its hits are in no order. Then
+// those of a mesh with itself: pairs with no common corner, one, two and three, and what the steps for one and two count.
 enum class counter : std::uint8_t {
   candidates,
   kept,
@@ -20,9 +21,21 @@ enum class counter : std::uint8_t {
   unsure_fp64,
   unsure_fp64x2, // right after unsure_fp64, as certify_rest needs it
   taken,
-  unordered
+  unordered,
+  apart,
+  one_common,
+  one_kept,
+  one_unsure_fp32,
+  one_unsure_fp64,
+  one_unsure_fp64x2,
+  two_common,
+  two_kept,
+  two_unsure_fp32,
+  two_unsure_fp64,
+  two_unsure_fp64x2,
+  three_common
 };
-inline constexpr int counters = 9;
+inline constexpr int counters = 21;
 
 // The notes of a query on the device: one piece, which the host reads at once.
 struct query_notes {

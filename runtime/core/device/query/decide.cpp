@@ -21,11 +21,14 @@ bool needs_pairs(const decision_job &job) {
 }
 
 // The pairs that a list may be expected to get: of balls that touch one other on average. Where there are more of one set,
-// fewer of these do. Where the walk decides, half as many are listed; a list that only counts gets none.
+// fewer of these do. Where the walk decides, half as many are listed; a list that only counts gets none. A mesh whose
+// neighbours are sifted has six of them for each face, which is in a pair with itself as well.
 std::uint64_t expected_pairs(const decision_job &job, walk_lists what) {
   if (what != walk_lists::candidates && !needs_pairs(job))
     return 0;
   const auto [few, many] = std::minmax({job.a.elements(), job.b.elements()});
+  if (job.sieve)
+    return std::uint64_t{8} * many;
   return (3 * std::uint64_t{few} + (many - few) / 2) / (what == walk_lists::balls ? 2 : 1);
 }
 
@@ -77,7 +80,7 @@ public:
         job_.progress(static_cast<double>(looked_at) / static_cast<double>(area(whole)));
     }
     // Each element's box touches itself.
-    if (job_.half && what_ == walk_lists::candidates && !stops_early_)
+    if (job_.half && what_ == walk_lists::candidates && !stops_early_ && !job_.sieve)
       r.candidates = 2 * r.candidates - job_.a.elements();
   }
 
@@ -97,7 +100,7 @@ private:
     if (!std::exchange(cleared_, false))
       buffers_.clear_counts();
     cuda::pair_list hits = lists_.hits();
-    hits.both_ways = job_.half;
+    hits.both_ways = job_.half && !job_.sieve;
     if (first_)
       walk_first(p, hits);
     else
@@ -131,22 +134,31 @@ private:
   }
 
   void certify(const cuda::pair_list &hits) {
+    cuda::pair_list in = lists_.candidates(), out = lists_.kept();
+    if (job_.sieve) {
+      const cuda::pair_list all = in;
+      in = out, in.count = buffers_.count_of(counter::apart);
+      job_.sieve->sift(all, in, hits);
+      out = all, out.count = buffers_.count_of(counter::kept);
+    }
     check(cuda::decide(job_.by, job_.precision, job_.a.data(), job_.b.data(),
-                       {lists_.candidates(), lists_.kept(), buffers_.count_of(counter::unsure_fp32)}, hits,
-                       job_.on.stream()),
+                       {in, out, buffers_.count_of(counter::unsure_fp32)}, hits, job_.on.stream()),
           "starting a decision step");
   }
 
   // Takes the counts and the hits of a part whose lists did not overflow.
   void take(bool is_whole, device_result &r) {
     const auto seen = [this](counter c) { return buffers_.seen_of(c); };
-    r.candidates += seen(what_ == walk_lists::hits         ? counter::hits
+    r.candidates += seen(job_.sieve                        ? counter::apart
+                         : what_ == walk_lists::hits       ? counter::hits
                          : what_ == walk_lists::candidates ? counter::candidates
                                                            : counter::touching);
     r.count += seen(counter::hits);
     r.rungs.unsure[0] += seen(counter::unsure_fp32);
     r.rungs.unsure[1] += seen(counter::unsure_fp64);
     r.rungs.unsure[2] += seen(counter::unsure_fp64x2);
+    if (job_.sieve)
+      job_.sieve->take();
     for (const auto &answer : job_.answers)
       answer->take({buffers_.hits.data(), static_cast<std::size_t>(seen(counter::hits)), is_whole});
   }

@@ -3,6 +3,7 @@
 #define MEETC_CORE_DEVICE_QUERY_DECIDE_HPP
 
 #include "meet/core/device/answers/query_answer.hpp"
+#include "meet/core/device/query/sieve.hpp"
 
 #include <functional>
 #include <memory>
@@ -22,7 +23,9 @@ struct decision_job {
   std::size_t list_capacity;
   const std::function<void(double fraction)> &progress;
   bool counts_cleared; // in the device's buffers, for the first part
-  bool first_alone;    // only what is met first is asked for, and segments go down alone to it, if they can
+  // Where pairs are listed, and no walk decides: what is decided is what it keeps, and hits are listed one way. Null: all.
+  candidate_sieve *sieve = nullptr;
+  bool first_alone = false; // only what is met first is asked for, and segments go down alone to it, if they can
 };
 
 // Adds to r's count, candidates, unsure pairs and parts. Marks the clock behind the last kernel. Throws device_error.

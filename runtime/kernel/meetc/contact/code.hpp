@@ -60,11 +60,13 @@ MEETC_HD constexpr int carrier_dimension(int carrier, int corners) {
   return carrier < corners ? 0 : carrier < open_face ? 1 : 2;
 }
 
-// Labels as they are found: sorted, none twice.
+// Labels as they are found: sorted, none twice. By right signs there are at most six; others are not taken.
 class label_list {
 public:
   MEETC_HD void add(int carrier_a, int carrier_b) {
     const unsigned label = label_of(carrier_a, carrier_b);
+    if (count_ == most_labels)
+      return;
     int i = count_;
     for (; i > 0 && labels_[i - 1] >= label; --i)
       if (labels_[i - 1] == label)

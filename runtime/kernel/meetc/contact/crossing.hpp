@@ -10,13 +10,11 @@
 
 MEETC_NAMESPACE(meetc) {
 
-template <class Side> class crossing_triangles {
-  using signs = contact_signs<Side>;
-
+template <class Sides> class crossing_triangles {
 public:
   // Some sa_i and some sb_j is not 0.
-  MEETC_HD crossing_triangles(const float *a, const float *b, const int *sa, const int *sb)
-      : a_(a), b_(b), sa_(sa), sb_(sb) {
+  MEETC_HD crossing_triangles(contact_signs<Sides> &signs, const float *a, const float *b, const int *sa, const int *sb)
+      : signs_(signs), a_(a), b_(b), sa_(sa), sb_(sb) {
     for (int i = 0; i < 9; ++i)
       twists_[i] = unknown;
   }
@@ -31,6 +29,7 @@ public:
 
 private:
   static constexpr signed char unknown = 2;
+  contact_signs<Sides> &signs_;
   const float *a_, *b_;
   const int *sa_, *sb_;
   signed char twists_[9];
@@ -43,7 +42,7 @@ private:
     signed char &t = twists_[3 * i + j];
     if (t == unknown)
       t = static_cast<signed char>(
-          signs::det(a_ + 3 * i, a_ + 3 * next_corner(i), b_ + 3 * j, b_ + 3 * next_corner(j)));
+          signs_.det(a_ + 3 * i, a_ + 3 * next_corner(i), b_ + 3 * j, b_ + 3 * next_corner(j)));
     return t;
   }
   MEETC_HD int on_b(int i) { return carrier_by_edges(twist(i, 0), twist(i, 1), twist(i, 2)); }

@@ -10,16 +10,16 @@
 
 MEETC_NAMESPACE(meetc) {
 
-template <class Side> class flat_triangles {
-  using signs = contact_signs<Side>;
-
+class flat_triangles {
 public:
   // turn_a, turn_b: those of the triangles along the axis; not 0.
-  MEETC_HD flat_triangles(const float *a, const float *b, int axis, int turn_a, int turn_b) : agree_(turn_a == turn_b) {
+  template <class Sides>
+  MEETC_HD flat_triangles(contact_signs<Sides> &signs, const float *a, const float *b, int axis, int turn_a, int turn_b)
+      : agree_(turn_a == turn_b) {
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
-        of_a_[i][j] = turn_a * signs::turn(axis, a + 3 * i, a + 3 * next_corner(i), b + 3 * j);
-        of_b_[j][i] = turn_b * signs::turn(axis, b + 3 * j, b + 3 * next_corner(j), a + 3 * i);
+        of_a_[i][j] = turn_a * signs.turn(axis, a + 3 * i, a + 3 * next_corner(i), b + 3 * j);
+        of_b_[j][i] = turn_b * signs.turn(axis, b + 3 * j, b + 3 * next_corner(j), a + 3 * i);
       }
   }
 

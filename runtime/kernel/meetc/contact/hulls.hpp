@@ -17,13 +17,12 @@ MEETC_HD inline bool lies_before(const float *x, const float *y) {
 
 // The hull of an element with two or three corners: a point, a segment or a triangle. A hull with fewer corners than the
 // element has those of least index among equal ones; only their carriers exist.
-template <class Side> class element_hull {
-  using signs = contact_signs<Side>;
-
+template <class Sides> class element_hull {
 public:
-  MEETC_HD element_hull(const float *row, int corners) : row_(row), corners_(corners) {
+  MEETC_HD element_hull(contact_signs<Sides> &signs, const float *row, int corners)
+      : signs_(signs), row_(row), corners_(corners) {
     for (int k = 0; corners == 3 && k < 3 && count_ != 3; ++k)
-      if ((turn_ = signs::turn(k, row, row + 3, row + 6)) != 0) {
+      if ((turn_ = signs.turn(k, row, row + 3, row + 6)) != 0) {
         axis_ = k, count_ = 3;
         for (int i = 0; i < 3; ++i)
           at_[i] = i;
@@ -55,11 +54,11 @@ public:
   // The carrier that holds x, or -1.
   MEETC_HD int carrier_at(const float *x) const {
     if (count_ == 3) {
-      if (signs::side(row_, x) != 0)
+      if (signs_.side(row_, x) != 0)
         return -1;
       int w[3];
       for (int i = 0; i < 3; ++i)
-        if ((w[i] = turn_ * signs::turn(axis_, from(i), to(i), x)) < 0)
+        if ((w[i] = turn_ * signs_.turn(axis_, from(i), to(i), x)) < 0)
           return -1;
       return carrier_by_edges(w[0], w[1], w[2]);
     }
@@ -69,31 +68,31 @@ public:
     if (count_ == 1 || !lies_before(corner(0), x) || !lies_before(x, corner(1)))
       return -1;
     for (int k = 0; k < 3; ++k)
-      if (signs::turn(k, corner(0), corner(1), x) != 0)
+      if (signs_.turn(k, corner(0), corner(1), x) != 0)
         return -1;
     return edge_name(0);
   }
   // Whether the open segment from p to q crosses the open face.
   MEETC_HD bool crossed_by(const float *p, const float *q) const {
-    if (count_ != 3 || signs::side(row_, p) * signs::side(row_, q) >= 0)
+    if (count_ != 3 || signs_.side(row_, p) * signs_.side(row_, q) >= 0)
       return false;
     const int w = twist(p, q, 0);
     return w != 0 && twist(p, q, 1) == w && twist(p, q, 2) == w;
   }
-  MEETC_HD int twist(const float *p, const float *q, int edge) const { return signs::det(p, q, from(edge), to(edge)); }
+  MEETC_HD int twist(const float *p, const float *q, int edge) const { return signs_.det(p, q, from(edge), to(edge)); }
 
 private:
+  contact_signs<Sides> &signs_;
   const float *row_;
   int corners_, count_ = 0, axis_ = 0, turn_ = 0;
   int at_[3] = {0, 0, 0};
 };
 
-template <class Side> class hull_contact {
-  using signs = contact_signs<Side>;
-  using hull = element_hull<Side>;
+template <class Sides> class hull_contact {
+  using hull = element_hull<Sides>;
 
 public:
-  MEETC_HD hull_contact(const hull &a, const hull &b) : a_(a), b_(b) {}
+  MEETC_HD hull_contact(contact_signs<Sides> &signs, const hull &a, const hull &b) : signs_(signs), a_(a), b_(b) {}
 
   // ordered: along A, which is a segment. Otherwise the least label comes first.
   MEETC_HD contact_code code(bool ordered) {
@@ -119,16 +118,17 @@ public:
   }
 
 private:
+  contact_signs<Sides> &signs_;
   const hull &a_, &b_;
   label_list found_;
 
   // Whether two open segments on different lines share a point.
-  MEETC_HD static bool cross(const float *p, const float *q, const float *u, const float *v) {
-    if (signs::det(p, q, u, v) != 0)
+  MEETC_HD bool cross(const float *p, const float *q, const float *u, const float *v) const {
+    if (signs_.det(p, q, u, v) != 0)
       return false;
     for (int k = 0; k < 3; ++k)
-      if (signs::turn(k, p, q, u) * signs::turn(k, p, q, v) < 0 &&
-          signs::turn(k, u, v, p) * signs::turn(k, u, v, q) < 0)
+      if (signs_.turn(k, p, q, u) * signs_.turn(k, p, q, v) < 0 &&
+          signs_.turn(k, u, v, p) * signs_.turn(k, u, v, q) < 0)
         return true;
     return false;
   }
@@ -147,7 +147,7 @@ private:
   }
   // Whether x, in B's plane, lies on the outer side of B's edge.
   MEETC_HD bool outside(int edge, const float *x) const {
-    return b_.turn() * signs::turn(b_.axis(), b_.from(edge), b_.to(edge), x) < 0;
+    return b_.turn() * signs_.turn(b_.axis(), b_.from(edge), b_.to(edge), x) < 0;
   }
 };
 

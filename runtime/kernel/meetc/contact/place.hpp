@@ -56,7 +56,29 @@ public:
 
   MEETC_HD void write(Real *out) const {
     for (int k = 0; k < 3; ++k)
-      out[k] = coordinate(k);
+      if (!find(k, out[k]))
+        out[k] = label_fraction(of_).template rounded<Real>(k);
+  }
+  // Coordinate k, if the enclosure tells it. Otherwise it returns false, and integers would.
+  MEETC_HD bool find(int k, Real &out) const {
+    const float p = of_.p[k];
+    if (!of_.q || of_.q[k] == p)
+      return is(p, out);
+    float low = least(p, of_.q[k]), high = most(p, of_.q[k]), low_2 = of_.other[0][k], high_2 = low_2;
+    for (int i = 1; i < of_.others; ++i)
+      low_2 = least(low_2, of_.other[i][k]), high_2 = most(high_2, of_.other[i][k]);
+    low = most(low, low_2), high = least(high, high_2);
+    if (low == high)
+      return is(low, out);
+    if (!known_)
+      return false;
+    const number length = arithmetic::difference(of_.q[k], p);
+    const number x = arithmetic::quotient(length * part_, whole_) + double{p};
+    const double size = magnitude_of(leading(length));
+    const double error = size * ratio_error_ + 16 * arithmetic::u * (size + magnitude_of(double{p}));
+    const Real from = most(arithmetic::end(x, -error), static_cast<Real>(low)),
+               to = least(arithmetic::end(x, error), static_cast<Real>(high));
+    return from == to && is(from, out);
   }
 
 private:
@@ -70,29 +92,10 @@ private:
     double magnitude;
   };
 
-  MEETC_HD Real coordinate(int k) const {
-    const float p = of_.p[k];
-    if (!of_.q || of_.q[k] == p)
-      return p == 0 ? Real(0) : static_cast<Real>(p);
-    float low = least(p, of_.q[k]), high = most(p, of_.q[k]), low_2 = of_.other[0][k], high_2 = low_2;
-    for (int i = 1; i < of_.others; ++i)
-      low_2 = least(low_2, of_.other[i][k]), high_2 = most(high_2, of_.other[i][k]);
-    low = most(low, low_2), high = least(high, high_2);
-    if (low == high)
-      return low == 0 ? Real(0) : static_cast<Real>(low);
-    if (known_) {
-      const number length = arithmetic::difference(of_.q[k], p);
-      const number x = arithmetic::quotient(length * part_, whole_) + double{p};
-      const double size = magnitude_of(leading(length));
-      const double error = size * ratio_error_ + 16 * arithmetic::u * (size + magnitude_of(double{p}));
-      const Real from = most(arithmetic::end(x, -error), static_cast<Real>(low)),
-                 to = least(arithmetic::end(x, error), static_cast<Real>(high));
-      if (from == to)
-        return from == 0 ? Real(0) : from;
-    }
-    return label_fraction(of_).template rounded<Real>(k);
+  template <class T> MEETC_HD static bool is(T x, Real &out) {
+    out = x == 0 ? Real(0) : static_cast<Real>(x);
+    return true;
   }
-
   template <class T> MEETC_HD static T least(T x, T y) { return x < y ? x : y; }
   template <class T> MEETC_HD static T most(T x, T y) { return x > y ? x : y; }
 

@@ -252,6 +252,15 @@ struct first_walk_job {
   }
 };
 
+// Where pairs of rows meet: their contact codes (meetc/contact/code.hpp).
+struct contact_job {
+  const float *a, *b;      // the rows of both sets
+  const index_pair *pairs; // of rows
+  std::size_t count;
+  std::uint64_t *codes; // of each pair; undecided_code where double-double does not tell all of its signs
+};
+inline constexpr std::uint64_t undecided_code = ~std::uint64_t{0}; // which is no contact code
+
 // The launchers of one predicate for lists of pairs.
 struct pair_launchers {
   // Reads min(*in.count, in.capacity) pairs of slots of packed rows; hits go to `yes`, and pairs that reject keeps, or that
@@ -266,6 +275,8 @@ struct pair_launchers {
   // Looks for them: each segment goes down alone, and certify_fp32 decides on the way. Null: the predicate knows no order, or
   // the scene does not ask for `certified`.
   stated<cudaError_t (*)(const first_walk_job &job, cudaStream_t stream)> walk_first;
+  // Null: the scene asks for no sign that tells contacts.
+  stated<cudaError_t (*)(const contact_job &job, cudaStream_t stream)> contacts;
 };
 
 struct predicate_launchers {

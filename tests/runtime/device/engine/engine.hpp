@@ -154,8 +154,7 @@ struct settings {
   bool small = false; // few and small sets, for tools that slow everything down
   std::uint64_t seed = 1;
   std::string data; // a folder of meshes: those are compared, and nothing else
-  std::string
-      part; // of the scenes: pairs, again, every_pair, made, orders, given, poses, ends, group, device, words or reset; empty: all
+  std::string part; // of the scenes: a name of engine_main.cpp, or reset; empty: all
 };
 void pair_scenes(comparison &with, const settings &s);
 void again_scenes(comparison &with, const settings &s);
@@ -170,7 +169,14 @@ void end_scenes(comparison &with, const settings &s);
 void group_scenes(comparison &with, const settings &s);
 void word_scenes(comparison &with, const settings &s);
 void formula_scenes(comparison &with, const settings &s);
+void body_scenes(comparison &with, const settings &s);
+void contact_scenes(comparison &with, const settings &s);
+void self_scenes(comparison &with, const settings &s);
 void mesh_scenes(comparison &with, const settings &s);
+// Triangles: where these pairs meet, and where a mesh crosses itself, under the scene's name.
+void same_contacts(comparison &with, const std::string &scene, const meetc::view &a, const meetc::view &b,
+                   const meetc::predicate_info &p, std::span<const meetc::index_pair> pairs);
+void same_self(comparison &with, const std::string &scene, const meetc::view &mesh);
 // Whether a device that was reset answers as it did before. No other device object may exist meanwhile.
 bool answers_after_reset();
 

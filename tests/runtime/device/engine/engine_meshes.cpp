@@ -87,6 +87,7 @@ void mesh_scenes(comparison &with, const settings &s) {
     for (const transform &t : transforms) {
       const prepared p = elements(b, *faces.a, t.size > 0 ? placed(b, t.size / b.size, true, t.place) : pose(), most);
       compare(with, b.name + ", itself", t, faces, p, p, true, t.size == 0);
+      same_self(with, std::string("meshes with themselves, ") + t.name, view_of(rows_in(p)));
     }
   // Each and the one after next, at one size and place; the other predicates on parts of them.
   for (std::size_t i = 0; i < bodies.size() && i < 12; ++i) {
@@ -98,8 +99,12 @@ void mesh_scenes(comparison &with, const settings &s) {
       for (int k = 0; k < cga::catalogue().predicate_count; ++k) {
         const predicate_info &p = cga::catalogue().predicates[k];
         const bool whole = &p == &faces;
-        compare(with, a.name + ", " + b.name, t, p, elements(a, *p.a, at_a, whole ? most : most_others),
-                elements(b, *p.b, at_b, whole ? most : most_others), false, whole && t.size == 0);
+        const prepared of_a = elements(a, *p.a, at_a, whole ? most : most_others),
+                       of_b = elements(b, *p.b, at_b, whole ? most : most_others);
+        compare(with, a.name + ", " + b.name, t, p, of_a, of_b, false, whole && t.size == 0);
+        if (p.contacts)
+          same_contacts(with, std::string("contacts of meshes, ") + t.name, view_of(rows_in(of_a)),
+                        view_of(rows_in(of_b)), p, collide(of_a, of_b, p, rung::certified).pairs);
       }
     }
   }

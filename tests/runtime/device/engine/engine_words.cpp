@@ -3,9 +3,13 @@
 #include "engine.hpp"
 
 #include "meet/core/device/collide.hpp"
+#include "meet/core/device/contacts.hpp"
+#include "meet/core/device/self_pairs.hpp"
 #include "tests/downstream/flags/words.hpp"
+#include "tests/runtime/self/made_meshes.hpp"
 
 #include <cstring>
+#include <neighbours/neighbours_cuda.hpp>
 
 namespace cuda_test {
 namespace {
@@ -77,6 +81,34 @@ void of_predicate(comparison &with, const predicate_info &p, double scale, engin
   });
 }
 
+void of_contacts(comparison &with, const predicate_info &p, double scale, engine &random) {
+  const rows_of a = random_rows(*p.a, 60, {1, 0.5, scale, 0}, random),
+                b = random_rows(*p.b, 60, {1, 0.5, scale, 0}, random);
+  const std::vector<index_pair> pairs =
+      collide(prepare(view_of(a), *p.a), prepare(view_of(b), *p.b), p, rung::certified).pairs;
+  const contact_set<double> want = contacts<double>(view_of(a), view_of(b), p, pairs);
+  under_each(with, "contacts under words", [&] {
+    const contact_set<double> have = contacts<double>(with.on(), view_of(a), view_of(b), p, pairs);
+    if (have.codes != want.codes || have.points.size() != want.points.size() ||
+        (!want.points.empty() &&
+         std::memcmp(have.points.data(), want.points.data(), want.points.size() * sizeof(double)) != 0))
+      throw std::logic_error(std::string(p.name) + " has other contacts");
+  });
+}
+
+void of_mesh(comparison &with, unsigned seed) {
+  const self_test::mesh m = self_test::lattice_mesh(seed, 12, 20, 4);
+  const predicate_info &touch = predicate_named("triangle_triangle");
+  const pose at = rounding_pose();
+  const self_result want = self_pairs(prepare(m.view(), *touch.a, at), m.view(), self_test::predicates());
+  under_each(with, "self under words", [&] {
+    device_set set(with.on(), m.view(), *touch.a, at);
+    const device_self_result have = self_pairs(with.on(), set, self_test::predicates(), neighbours::cuda::catalogue());
+    if (!same_list(have.pairs, want.pairs) || have.degenerate != want.degenerate)
+      throw std::logic_error("a mesh crosses itself otherwise");
+  });
+}
+
 } // namespace
 
 void word_scenes(comparison &with, const settings &s) {
@@ -84,7 +116,12 @@ void word_scenes(comparison &with, const settings &s) {
   each_predicate([&](const predicate_info &p) {
     for (const double scale : {1.0, 0x1p-140})
       of_predicate(with, p, scale, random);
+    if (p.contacts)
+      for (const double scale : {1.0, 0x1p-140})
+        of_contacts(with, p, scale, random);
   });
+  for (unsigned seed = 0; seed < 4; ++seed)
+    of_mesh(with, seed);
 }
 
 } // namespace cuda_test

@@ -1,0 +1,28 @@
+# spack repo add docs/packaging/spack, below a folder packages/meetc, then: spack install meetc@main
+from spack.package import *
+
+
+class Meetc(CMakePackage, CudaPackage):
+    """Exact collisions of meshes, and a compiler of geometric algebra."""
+
+    license("MIT")
+    version("main", branch="main")
+
+    variant("cuda", default=False, description="Queries on CUDA devices")
+
+    depends_on("cxx", type="build")
+    depends_on("cmake@3.25:", type="build")
+    depends_on("fmt")
+    depends_on("tomlplusplus")
+    depends_on("cli11")
+    depends_on("nlohmann-json")
+    depends_on("flint")
+    depends_on("gmp")
+    depends_on("libpng")
+    depends_on("cuda@12:", when="+cuda")
+
+    def cmake_args(self):
+        return [
+            self.define_from_variant("MEETC_CUDA", "cuda"),
+            self.define("MEETC_BUILD_TESTS", False),
+        ]

@@ -1,0 +1,118 @@
+#include "meet/core/contacts/contacts.hpp"
+#include "meet/python/arrays.hpp"
+#include "meet/python/bindings.hpp"
+
+#include <cstddef>
+#include <cstring>
+
+namespace meetc::python {
+
+namespace {
+
+// A set as its arrays and its pose.
+using set_arrays = std::tuple<py::array, std::optional<py::array>, std::optional<py::array>>;
+
+struct side {
+  view elements;
+  pose at;
+
+  side(const set_arrays &of, const kind_info &kind)
+      : elements(view_of(kind, std::get<0>(of), std::get<1>(of))),
+        at(std::get<2>(of) ? place_of(*std::get<2>(of), kind) : pose{}) {}
+};
+
+std::span<const index_pair> pairs_of(const py::array &pairs) {
+  require_packed(pairs, "i", 4, 2, "pairs");
+  if (pairs.shape(1) != 2)
+    throw py::type_error("pairs: a row has two columns");
+  return {static_cast<const index_pair *>(pairs.data()), static_cast<std::size_t>(pairs.shape(0))};
+}
+
+py::tuple lists(node_lists &&of) {
+  return py::make_tuple(as_array<std::int64_t>(std::move(of.offsets)), as_array<std::int32_t>(std::move(of.nodes)));
+}
+
+py::array rows_of(touched_rows &&of) {
+  const py::ssize_t wide = py::ssize_t{3} * of.corners, numbers = static_cast<py::ssize_t>(of.rows.size());
+  return as_array<float>(std::move(of.rows), {numbers / wide, wide});
+}
+
+// The rest of each part has no value, and what is pickled would differ from one call to the next.
+std::vector<element_part> cleared(std::vector<element_part> &&parts) {
+  constexpr std::size_t end = offsetof(element_part, carrier) + 1;
+  for (element_part &part : parts)
+    std::memset(reinterpret_cast<char *>(&part) + end, 0, sizeof part - end);
+  return std::move(parts);
+}
+
+// The members of a contact_set, whose memory they take over.
+template <class Real>
+py::dict find(const side &a, const side &b, const predicate_info &predicate, std::span<const index_pair> pairs,
+              int threads) {
+  contact_set<Real> c;
+  {
+    const py::gil_scoped_release others_run;
+    c = contacts<Real>(a.elements, b.elements, predicate, pairs, {a.at, b.at, threads});
+  }
+  const auto nodes = static_cast<py::ssize_t>(c.nodes()), pieces = static_cast<py::ssize_t>(c.pieces.size());
+  py::dict out;
+  out["codes"] = as_array<std::uint64_t>(std::move(c.codes));
+  out["corners"] = lists(std::move(c.corners));
+  out["points"] = as_array<Real>(std::move(c.points), {nodes, 3});
+  out["on_a"] = as_array<element_part>(cleared(std::move(c.on_a)));
+  out["on_b"] = as_array<element_part>(cleared(std::move(c.on_b)));
+  out["pieces"] = as_array<std::int32_t>(std::move(c.pieces), {pieces, 2});
+  out["polylines"] = lists(std::move(c.polylines));
+  out["closed"] = as_array<bool>(std::move(c.closed));
+  out["patches"] = lists(std::move(c.patches));
+  out["patch_pairs"] = as_array<std::int32_t>(std::move(c.patch_pairs));
+  out["single_nodes"] = as_array<std::int32_t>(std::move(c.single_nodes));
+  out["rows"] = py::make_tuple(rows_of(std::move(c.rows_a)), rows_of(std::move(c.rows_b)));
+  out["sources"] = as_array<std::int32_t>(std::move(c.sources), {nodes, 3});
+  return out;
+}
+
+// `pairs`: of elements, in the order of the predicate's kinds.
+py::dict contacts_of(const set_arrays &a, const set_arrays &b, const std::string &predicate, const py::array &pairs,
+                     bool wide, int threads) {
+  const predicate_info &by = predicate_named(predicate);
+  const side of_a(a, *by.a), of_b(b, *by.b);
+  const std::span<const index_pair> asked = pairs_of(pairs);
+  return wide ? find<double>(of_a, of_b, by, asked, threads) : find<float>(of_a, of_b, by, asked, threads);
+}
+
+touched_rows one_row(const py::array &row, int carrier) {
+  require_packed(row, "f", 4, 1, "row");
+  const int corners = static_cast<int>(row.size()) / 3;
+  const bool there = carrier < corners || (corners == 3 && carrier <= open_face) || carrier == first_edge;
+  if ((row.size() != 6 && row.size() != 9) || !there)
+    throw py::type_error("row: it has no such part");
+  const std::span<const float> numbers = span_of<float>(row);
+  return {corners, {0}, {numbers.begin(), numbers.end()}};
+}
+
+// Numerator and denominator of each coordinate of a node, from the rows of its two elements and its label.
+std::array<std::pair<std::string, std::string>, 3> exact_point(const py::array &a, const py::array &b, unsigned label) {
+  if (label >= label_of(open_face, open_face))
+    throw py::type_error("label: there is none of this number");
+  contact_set<double> one;
+  one.rows_a = one_row(a, label_a(label));
+  one.rows_b = one_row(b, label_b(label));
+  one.sources = {{0, 0, label}};
+  std::array<std::pair<std::string, std::string>, 3> out;
+  std::array<decimal_fraction, 3> found = one.exact(0);
+  for (std::size_t k = 0; k < 3; ++k)
+    out[k] = {std::move(found[k].numerator), std::move(found[k].denominator)};
+  return out;
+}
+
+} // namespace
+
+void bind_contacts(py::module_ &module) {
+  PYBIND11_NUMPY_DTYPE(element_part, element, dimension, carrier);
+  module.def("contacts", &contacts_of, py::arg("a"), py::arg("b"), py::arg("predicate"), py::arg("pairs"),
+             py::arg("wide"), py::arg("threads"));
+  module.def("exact_point", &exact_point, py::arg("a"), py::arg("b"), py::arg("label"));
+}
+
+} // namespace meetc::python
