@@ -17,7 +17,8 @@ using namespace meetc::cuda;
 
 namespace {
 
-// Each axis has its own unit, a power of two: no exact parameter depends on it, but what is rounded, overflows or vanishes does.
+// Each axis has its own unit, a power of two: no exact parameter depends on it, but all that is rounded, overflows or vanishes
+// does.
 struct units {
   int power[3];
   float of(int number, int axis) const { return std::ldexp(static_cast<float>(number), power[axis]); }
@@ -97,7 +98,8 @@ struct scene {
   }
 };
 
-// Numbers from -reach to reach; a segment is parallel to some axes now and then, and an element often flat along some, or a point.
+// Numbers from -reach to reach; a segment is parallel to some axes now and then, and an element often flat along some, or a
+// point.
 scene some(std::mt19937_64 &random, std::uint32_t segments, std::uint32_t elements, int reach, int size, int pad) {
   scene s;
   const auto number = [&](int most) {
@@ -238,6 +240,30 @@ TEST_CASE("first walk: of each segment all that it meets first, at any scale of 
   }
   CHECK(t.first > 1000);
   CHECK(t.ties > 300);
+}
+
+// The parameters of one point along the three axes are rounded to 0 or to the least number.
+TEST_CASE("first walk: elements that are met at one point stay where its parameter vanishes") {
+  for (int x = 1; x < 12; ++x)
+    for (int y = 1; y < 12; ++y)
+      for (int z = 1; z < 12; ++z) {
+        const int way[3] = {2 * x, 2 * y, 2 * z};
+        float row[6];
+        tree_box point;
+        for (int k = 0; k < 3; ++k) {
+          row[k] = 0, row[3 + k] = static_cast<float>(way[k]);
+          point.low[k] = point.high[k] = static_cast<float>(way[k] / 2) * 0x1p-149F; // the parameter is 2^-150
+        }
+        four_boxes node;
+        for (unsigned c = 0; c < 4; ++c)
+          put_box(node, c, c < 2 ? point : tree_box());
+        first_line line(row);
+        std::uint32_t keys[4];
+        line.meets(node, 0);
+        line.enter(node, keys);
+        REQUIRE((keys[0] != left_out && keys[1] != left_out));
+        REQUIRE((keys[2] == left_out && keys[3] == left_out));
+      }
 }
 
 TEST_CASE("first walk: elements that are met later are not looked at") {

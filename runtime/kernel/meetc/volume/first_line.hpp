@@ -3,8 +3,8 @@
 // Problem: of all that a long segment meets only the first is asked. Method: the nearest boxes first, and none that the segment
 // enters later than it has left the box of an element that it is proved to meet. Both are said by parameters t of the points
 // p + t (q - p), computed and compared as in meetc/volume/two_points.hpp: an element is left out only if
-//   max(0, entries of one box around it) > fl(fl(min(1, exits of that box, exits of the boxes of proved hits) * (1 + 5 * 2^-23))
-//   + 2^-126).
+//   max(0, entries of one box around it) >
+//     fl(fl(min(1, exits of that box, exits of the boxes of proved hits) * (1 + 5 * 2^-23)) + 2^-126).
 //
 // Theorem. It then meets nothing, or strictly later than one of these hits.
 // Proof. Let the element be met first at t, and one of these hits at u, and let t <= u. (If p = q, let t = u = 0.) The point of

@@ -1,6 +1,6 @@
 // A way down a hierarchy by fours, and what it has left beside it.
 //
-// Of each level above the place where it is, it keeps a byte: which children of that node, up to three, are still to be
+// It keeps a byte for each level above the place where it is: which children of that node, up to three, are still to be
 // entered, in their order. The bytes of all levels are one number, to which a step down appends one, so that a thread keeps
 // them in registers and needs no stack.
 #ifndef MEETC_VOLUME_FOURS_WAY_HPP
