@@ -28,10 +28,16 @@ constexpr const char *run_parameters =
     "meetc::cuda::pair_list left, cudaStream_t stream)";
 
 constexpr const char *first_met_parameters = "(const meetc::cuda::first_met_job &job, cudaStream_t stream)";
+constexpr const char *walk_first_parameters = "(const meetc::cuda::first_walk_job &job, cudaStream_t stream)";
 constexpr const char *contacts_parameters = "(const meetc::cuda::contact_job &job, cudaStream_t stream)";
 
 std::string shape_of(const std::string &kind) {
   return identifier(kind) + "_shape";
+}
+
+// Whether there is a walk to what is met first, which decides in fp32 with bounds on the way.
+bool walks_first(const unit &u, const lower::kernel &k) {
+  return order_of(u, k) && u.asks(lang::rung::certified);
 }
 
 std::string catalogue_text(const unit &u) {
@@ -41,14 +47,15 @@ std::string catalogue_text(const unit &u) {
   int count = 0;
   for (const lower::kernel *k : predicates_of(u)) {
     const std::string name = identifier(k->asked.asked->name);
-    predicates +=
-        fmt::format("  {{.name = \"{0}\",\n   .kind_a = {1},\n   .kind_b = {2},\n"
-                    "   .pairs = {{.run = {3}::run, .first_met = {4}, .contacts = {5}}},\n   .rejects = {6},\n"
-                    "   .by_boxes = {7},\n   .by_balls = {8}}},\n",
-                    k->asked.asked->name, element_place(kinds, *k, 0), element_place(kinds, *k, 1), name,
-                    order_of(u, *k) ? fmt::format("{}::first_met", name) : "nullptr",
-                    contacts_of(u, *k) ? fmt::format("{}::contacts", name) : "nullptr",
-                    !k->decision.reject.atoms.empty(), k->decision.by_boxes, k->decision.by_balls);
+    predicates += fmt::format("  {{.name = \"{0}\",\n   .kind_a = {1},\n   .kind_b = {2},\n"
+                              "   .pairs = {{.run = {3}::run, .first_met = {4},\n"
+                              "             .walk_first = {5}, .contacts = {6}}},\n   .rejects = {7},\n"
+                              "   .by_boxes = {8},\n   .by_balls = {9}}},\n",
+                              k->asked.asked->name, element_place(kinds, *k, 0), element_place(kinds, *k, 1), name,
+                              order_of(u, *k) ? fmt::format("{}::first_met", name) : "nullptr",
+                              walks_first(u, *k) ? fmt::format("{}::walk_first", name) : "nullptr",
+                              contacts_of(u, *k) ? fmt::format("{}::contacts", name) : "nullptr",
+                              !k->decision.reject.atoms.empty(), k->decision.by_boxes, k->decision.by_balls);
     ++count;
   }
   std::string out;
@@ -111,6 +118,8 @@ std::string cuda_header(const unit &u) {
     out += fmt::format("  static cudaError_t run{};\n", run_parameters);
     if (order_of(u, *k))
       out += fmt::format("  static cudaError_t first_met{};\n", first_met_parameters);
+    if (walks_first(u, *k))
+      out += fmt::format("  static cudaError_t walk_first{};\n", walk_first_parameters);
     if (contacts_of(u, *k))
       out += fmt::format("  static cudaError_t contacts{};\n", contacts_parameters);
     out += "};\n";
@@ -188,14 +197,20 @@ std::string cuda_launchers(const unit &u, const lower::kernel &k) {
 // A file of its own, since it compiles as long as the predicate's other launchers.
 std::string cuda_order(const unit &u, const lower::kernel &k, const lower::kernel &order) {
   const std::string space = identifier(u.scene.space), name = identifier(k.asked.asked->name);
-  return banner(u.scene, fmt::format("In which order the hits of {} lie, on a CUDA device.", k.asked.asked->name)) +
-         fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <{0}/{1}.hpp>\n#include <{0}/{2}.hpp>\n"
-                     "#include <meetc/cuda/first_met.hpp>\n\nnamespace {0} {{\nnamespace cuda {{\n\n"
-                     "cudaError_t {3}::first_met{4} {{\n"
-                     "  return meetc::cuda::first_met<::{0}::{3}, ::{0}::{5}_sign>(job, stream);\n}}\n"
-                     "\n}} // namespace cuda\n}} // namespace {0}\n",
-                     space, k.asked.name(), order.asked.name(), name, first_met_parameters,
-                     identifier(order.asked.name()));
+  const bool walks = walks_first(u, k);
+  std::string out =
+      banner(u.scene, fmt::format("In which order the hits of {} lie, on a CUDA device.", k.asked.asked->name));
+  out += fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <{0}/{1}.hpp>\n#include <{0}/{2}.hpp>\n"
+                     "#include <meetc/cuda/first_met.hpp>\n{3}\nnamespace {0} {{\nnamespace cuda {{\n\n",
+                     space, k.asked.name(), order.asked.name(), walks ? "#include <meetc/cuda/walk_first.hpp>\n" : "");
+  out += fmt::format("cudaError_t {1}::first_met{2} {{\n"
+                     "  return meetc::cuda::first_met<::{0}::{1}, ::{0}::{3}_sign>(job, stream);\n}}\n",
+                     space, name, first_met_parameters, identifier(order.asked.name()));
+  if (walks)
+    out += fmt::format("cudaError_t {1}::walk_first{2} {{\n"
+                       "  return meetc::cuda::walk_first<::{0}::{1}>(job, stream);\n}}\n",
+                       space, name, walk_first_parameters);
+  return out + fmt::format("\n}} // namespace cuda\n}} // namespace {}\n", space);
 }
 
 // Several predicates may have contacts by one sign. A kernel's name holds no dot here either.

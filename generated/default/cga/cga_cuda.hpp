@@ -53,6 +53,7 @@ struct segment_triangle {
   static cudaError_t run(meetc::cuda::step which, const float *a, const float *b, meetc::cuda::pair_list in,
       meetc::cuda::pair_list yes, meetc::cuda::pair_list left, cudaStream_t stream);
   static cudaError_t first_met(const meetc::cuda::first_met_job &job, cudaStream_t stream);
+  static cudaError_t walk_first(const meetc::cuda::first_walk_job &job, cudaStream_t stream);
   static cudaError_t contacts(const meetc::cuda::contact_job &job, cudaStream_t stream);
 };
 struct triangle_triangle {

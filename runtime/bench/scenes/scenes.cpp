@@ -80,10 +80,15 @@ std::vector<scene> growth_scenes(const scene_source &from) {
 
 std::vector<scene> first_scenes(const scene_source &from) {
   std::vector<scene> out;
-  for (const std::size_t n :
-       {std::size_t{100}, std::size_t{10'000}, from.quick ? std::size_t{20'000} : std::size_t{1'000'000}})
+  for (const std::size_t n : from.quick ? std::vector<std::size_t>{100, 10'000, 20'000}
+                                        : std::vector<std::size_t>{100, 10'000, 100'000, 200'000, 400'000, 1'000'000})
     out.push_back(segments_and(from, fmt::format("{} segments x {}", n, from.name_of_figure()), n, 1,
                                [from] { return from.figure(); }));
+  const std::size_t many = from.quick ? 20'000 : 1'000'000;
+  for (const double share : {0.1, 0.01})
+    out.push_back(
+        segments_and(from, fmt::format("{} segments, {} % of the box, x {}", many, 100 * share, from.name_of_figure()),
+                     many, share, [from] { return from.figure(); }));
   return out;
 }
 

@@ -11,7 +11,7 @@
 
 namespace meetc {
 
-// Every kind but `any` also counts the pairs. Unless there are owners, only `pairs` takes memory that grows with the
+// Every kind but `any` and `none` also counts the pairs. Unless there are owners, only `pairs` takes memory that grows with the
 // pairs.
 enum class answer_kind : std::uint8_t {
   pairs,  // the list of all pairs, sorted by a, then b
@@ -19,6 +19,7 @@ enum class answer_kind : std::uint8_t {
   counts, // for each element of both sets, the number of pairs that it is in
   flags,  // for each element of both sets, 1 if it is in a pair and 0 if not
   any,    // whether there is a pair; the count is 0 or 1, and the search stops at the first
+  none,   // nothing but what each element of a meets first, which must be asked for; the count is 0
 };
 
 // Counts of the rungs of `certified`; the other rungs do not change them.
@@ -36,7 +37,7 @@ template <class T> struct per_element { std::vector<T> a, b; };
 // Every member but the count is empty unless it was asked for.
 struct result {
   std::vector<index_pair> pairs; // sorted by a, then b; no pair twice
-  std::uint64_t count = 0;       // pairs, or pairs of items where there are owners; 0 or 1 for answer_kind::any
+  std::uint64_t count = 0;       // pairs, or pairs of items where there are owners; 0 or 1 for answer_kind::any, 0 for none
   per_element<std::uint8_t> flags;
   per_element<std::uint64_t> counts;
   // For each element of a, the element (or item) of b that it meets first on its way from its first point to its second, and

@@ -20,6 +20,7 @@ std::unique_ptr<query_answer> answer_about_elements(answer_kind want) {
   case answer_kind::any:
     return std::make_unique<any_pair>();
   case answer_kind::count:
+  case answer_kind::none:
     break;
   }
   return nullptr;
@@ -32,7 +33,7 @@ std::vector<std::unique_ptr<query_answer>> answers_for(const predicate_info &pre
                                                        std::span<const std::uint32_t> owner_b) {
   std::vector<std::unique_ptr<query_answer>> out;
   const bool owned = !owner_a.empty() || !owner_b.empty();
-  if (owned && want != answer_kind::any)
+  if (owned && want != answer_kind::any && want != answer_kind::none)
     out.push_back(std::make_unique<item_pairs>(want, owner_a, owner_b));
   else if (auto answer = answer_about_elements(want))
     out.push_back(std::move(answer));

@@ -25,6 +25,7 @@ bool owners_fit(std::span<const std::uint32_t> owners, const prepared &p) {
 void require_first_met(const predicate_info &predicate, answer_kind want, bool asked,
                        std::span<const std::uint32_t> owner_a) {
   require(!asked || predicate.first_met, "the predicate knows no order in which its hits are met");
+  require(asked || want != answer_kind::none, "nothing is asked for");
   require(!asked || want != answer_kind::any, "a search for any pair does not find those that are met first");
   require(!asked || owner_a.empty(), "what is met first is asked of elements, not of the items that own them");
 }
@@ -72,7 +73,7 @@ result find_touching(const prepared &a, const prepared &b, const predicate_info 
                  {batches.get(), batch_bytes(threads)});
   result r;
   r.candidates = total.candidates;
-  r.count = total.hits;
+  r.count = options.want == answer_kind::none ? 0 : total.hits;
   r.rungs = total.rungs;
   for (const auto &answer : answers)
     answer->finish(r);

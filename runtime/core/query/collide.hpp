@@ -42,7 +42,7 @@ struct collide_options {
 result collide(const prepared &a, const prepared &b, const predicate_info &predicate, rung precision,
                const collide_options &options = {});
 
-// Throws std::invalid_argument unless what is met first may be asked for, if it is. It serves all engines.
+// Throws std::invalid_argument unless what is met first may be asked for, if it is or must be. It serves all engines.
 void require_first_met(const predicate_info &predicate, answer_kind want, bool asked,
                        std::span<const std::uint32_t> owner_a);
 

@@ -59,10 +59,12 @@ void agree(const rows &a, const rows &b) {
     const std::vector<std::uint32_t> want = from_list(collide(x, y, p, precision, o).pairs, a, b, p);
     o.first_met = true;
     for (const int threads : {1, 2, 7})
-      for (const answer_kind kind : {answer_kind::pairs, answer_kind::count, answer_kind::counts, answer_kind::flags}) {
+      for (const answer_kind kind :
+           {answer_kind::pairs, answer_kind::count, answer_kind::counts, answer_kind::flags, answer_kind::none}) {
         o.threads = threads, o.want = kind;
         const result r = collide(x, y, p, precision, o);
         CHECK(r.first_met == want);
+        CHECK((kind != answer_kind::none || r.count == 0));
         CHECK(r.pairs.empty() == (kind != answer_kind::pairs || r.count == 0));
       }
     CHECK(collide(x, near, p, precision, o).first_met == want);
@@ -115,7 +117,7 @@ TEST_CASE("first met: elements of B are named by their items") {
     }
     CHECK((ties > 10) == (owners == mixed));
     CHECK(std::count(want.begin(), want.end(), no_element) < 200);
-    for (const answer_kind kind : {answer_kind::pairs, answer_kind::count}) {
+    for (const answer_kind kind : {answer_kind::pairs, answer_kind::count, answer_kind::none}) {
       collide_options o;
       o.first_met = true, o.owner_b = owners, o.want = kind;
       CHECK(collide(x, y, p, rung::certified, o).first_met == want);
@@ -137,6 +139,9 @@ TEST_CASE("first met: a query without an answer is refused") {
   o.owner_a = owner;
   CHECK_THROWS_AS(collide(x, y, p, rung::certified, o), std::invalid_argument);
   o.owner_a = {};
+  o.first_met = false, o.want = answer_kind::none;
+  CHECK_THROWS_AS(collide(x, y, p, rung::certified, o), std::invalid_argument);
+  o.first_met = true, o.want = answer_kind::pairs;
   CHECK(collide(x, y, p, rung::certified, o).first_met == std::vector<std::uint32_t>{0});
 }
 

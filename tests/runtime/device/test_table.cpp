@@ -23,24 +23,25 @@ constexpr cuda::set_launchers set{.name = "",
                                   .places = nullptr,
                                   .gather = nullptr,
                                   .boxes = nullptr};
-constexpr cuda::predicate_launchers predicate{.name = "",
-                                              .kind_a = 0,
-                                              .kind_b = 0,
-                                              .pairs = {.run = nullptr, .first_met = nullptr, .contacts = nullptr},
-                                              .rejects = false,
-                                              .by_boxes = false,
-                                              .by_balls = false};
+constexpr cuda::predicate_launchers predicate{
+    .name = "",
+    .kind_a = 0,
+    .kind_b = 0,
+    .pairs = {.run = nullptr, .first_met = nullptr, .walk_first = nullptr, .contacts = nullptr},
+    .rejects = false,
+    .by_boxes = false,
+    .by_balls = false};
 constexpr cuda::formula_launchers formula{
     .name = "", .number_count = 0, .result_count = 0, .float32 = nullptr, .float64 = nullptr};
 
 // A concept of T, so that what does not compile is false.
 template <class T>
 concept needs_no_contacts = requires {
-  T{.run = nullptr, .first_met = nullptr};
+  T{.run = nullptr, .first_met = nullptr, .walk_first = nullptr};
 };
 template <class T>
 concept takes_all = requires {
-  T{.run = nullptr, .first_met = nullptr, .contacts = nullptr};
+  T{.run = nullptr, .first_met = nullptr, .walk_first = nullptr, .contacts = nullptr};
 };
 template <class T>
 concept needs_no_boxes = requires {
@@ -76,8 +77,8 @@ TEST_CASE("tables: every member must be stated") {
   const auto &[of, kind_a, kind_b, pairs, rejects, by_boxes, by_balls] = predicate;
   STATIC_REQUIRE(all_stated<decltype(of), decltype(kind_a), decltype(kind_b), decltype(rejects), decltype(by_boxes),
                             decltype(by_balls)>);
-  const auto &[run, first_met, contacts] = pairs;
-  STATIC_REQUIRE(all_stated<decltype(run), decltype(first_met), decltype(contacts)>);
+  const auto &[run, first_met, walk_first, contacts] = pairs;
+  STATIC_REQUIRE(all_stated<decltype(run), decltype(first_met), decltype(walk_first), decltype(contacts)>);
   const cuda::catalogue all{.kinds = &set,
                             .kind_count = 1,
                             .predicates = &predicate,

@@ -4,6 +4,7 @@
 #include <cga/segment_triangle.hpp>
 #include <cga/first_met_segment_triangle_pair.hpp>
 #include <meetc/cuda/first_met.hpp>
+#include <meetc/cuda/walk_first.hpp>
 
 namespace cga {
 namespace cuda {
@@ -11,6 +12,9 @@ namespace cuda {
 cudaError_t segment_triangle::first_met(const meetc::cuda::first_met_job &job, cudaStream_t stream) {
   return meetc::cuda::first_met<::cga::segment_triangle, ::cga::first_met_segment_triangle_pair_sign>(job,
       stream);
+}
+cudaError_t segment_triangle::walk_first(const meetc::cuda::first_walk_job &job, cudaStream_t stream) {
+  return meetc::cuda::walk_first<::cga::segment_triangle>(job, stream);
 }
 
 } // namespace cuda

@@ -4,6 +4,7 @@
 #include "meet/bench/tables/gpu/sets.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace meetc::bench {
 
@@ -39,7 +40,7 @@ std::vector<std::uint32_t> downloaded(const std::uint32_t *from, std::size_t n) 
 struct row {
   std::string scene;
   std::uint64_t segments, pairs, meet, wrong;
-  double counted, first, nearest;
+  double counted, warps, threads, first, nearest;
 };
 
 } // namespace
@@ -50,16 +51,18 @@ table gpu_bench::measure_first(const std::vector<scene> &scenes, const std::func
     sets_there there(on_, sets);
     device_set &a = there.a(), &b = there.b();
     device_result last;
-    const auto time = [&](bool first) {
+    const auto time = [&](answer_kind want, bool first, std::optional<bool> alone) {
       device_options o;
-      o.want = answer_kind::count;
-      o.first_met = first;
+      o.want = want, o.first_met = first, o.first_alone = alone;
       return medians_of<1>(runs, [&] {
         last = meetc::collide(on_, a, b, sets.predicate, rung::certified, o);
         return std::array{last.device_seconds};
       })[0];
     };
-    const double counted = time(false), ours = time(true);
+    const double counted = time(answer_kind::count, false, {});
+    const std::uint64_t pairs = last.count;
+    const double warps = time(answer_kind::none, true, false), threads = time(answer_kind::none, true, true),
+                 ours = time(answer_kind::none, true, {});
 
     baselines::lbvh_box within{};
     b.bounds(within.lo, within.hi);
@@ -82,10 +85,12 @@ table gpu_bench::measure_first(const std::vector<scene> &scenes, const std::func
     const auto none = std::count(last.first_met.begin(), last.first_met.end(), no_element);
     return {of.name,
             a.elements(),
-            last.count,
+            pairs,
             a.elements() - static_cast<std::uint64_t>(none),
             wrong(sets, last.first_met, baseline),
             counted,
+            warps,
+            threads,
             ours,
             lbvh};
   };
@@ -101,14 +106,19 @@ table gpu_bench::measure_first(const std::vector<scene> &scenes, const std::func
        {"pairs", "pairs", of_count, &row::pairs},
        {"meet", "segments|that meet some", of_count, &row::meet},
        {"counted", "ours:|pairs counted, ms", of_milliseconds, &row::counted},
-       {"first", "ours: and the|first ones, ms", of_milliseconds, &row::first},
+       {"warps", "ours: a warp|each, ms", of_milliseconds, &row::warps},
+       {"threads", "ours: a thread|each, ms", of_milliseconds, &row::threads},
+       {"first", "ours: first|ones, ms", of_milliseconds, &row::first},
        {"lbvh", "LBVH:|nearest hits, ms", of_milliseconds, &row::nearest},
        {"wrong", "LBVH: wrong|segments", of_count, &row::wrong},
        {"ratio", "LBVH /|ours", [](const row &r) { return of_ratio(r.nearest / r.first); }}},
       rows,
-      {"On prepared sets, without building hierarchies. Ours: certified, over all pairs, with the least triangle where "
-       "several are met at one point; the device's time, with the naming of elements and without downloading. LBVH: "
-       "that "
+      {"On prepared sets, without building hierarchies. Ours: certified, with the least triangle where several are met "
+       "at "
+       "one point; the device's time, with the naming of elements and without downloading. A warp each: over all "
+       "pairs. A "
+       "thread each: no farther than to a triangle that is proved to be met. First ones: by that of the two which the "
+       "number of segments suggests. LBVH: that "
        "of `--only lbvh`, from the nearer child to the farther one and no farther than the nearest hit so far, with "
        "Möller-Trumbore in plain fp32, epsilon 0, without naming and downloading. It is wrong about a segment where it "
        "names a triangle that is not met, or not first, or none."});

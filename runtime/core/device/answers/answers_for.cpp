@@ -20,6 +20,7 @@ std::unique_ptr<query_answer> answer_about_elements(const device_options &option
   case answer_kind::any:
     return std::make_unique<any_pair>();
   case answer_kind::count:
+  case answer_kind::none:
     break;
   }
   return nullptr;
@@ -32,7 +33,7 @@ std::vector<std::unique_ptr<query_answer>> answers_for(const cuda::pair_launcher
   const bool owned = !options.owner_a.empty() || !options.owner_b.empty();
   if (options.first_met)
     out.push_back(std::make_unique<first_met>(by, options.owner_b));
-  if (owned && options.want != answer_kind::any)
+  if (owned && options.want != answer_kind::any && options.want != answer_kind::none)
     out.push_back(std::make_unique<item_pairs>(options.want, options.owner_a, options.owner_b));
   else if (auto answer = answer_about_elements(options))
     out.push_back(std::move(answer));

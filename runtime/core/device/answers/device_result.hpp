@@ -33,6 +33,9 @@ struct device_options {
   // The item of each element; empty: each element is its own item. Answers are then about items, as in collide_options.
   std::span<const std::uint32_t> owner_a = {}, owner_b = {};
   bool first_met = false; // as in collide_options; the device's kernels must have been generated with the order as well
+  // Where answer_kind::none is wanted, the segments of A go down a hierarchy over B alone, a thread each, and no farther than
+  // to a pair that is proved (meetc/volume/first_line.hpp). Empty: where this is expected to pay.
+  std::optional<bool> first_alone = {};
   // In two given sets elements that cannot touch are left out before the others are put into order. Empty: where this is
   // expected to pay.
   std::optional<bool> cull = {};

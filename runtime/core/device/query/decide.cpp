@@ -2,10 +2,12 @@
 
 #include "meet/core/device/query/lists.hpp"
 #include "meet/core/device/query/parts.hpp"
+#include "meet/core/device/walk/first_walk.hpp"
 #include "meet/core/device/walk/walk.hpp"
 #include "meetc/cuda/cascade.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -33,9 +35,12 @@ std::uint64_t expected_pairs(const decision_job &job, walk_lists what) {
 class decision {
 public:
   explicit decision(const decision_job &job)
-      : job_(job), buffers_(job.on.buffers()), what_(lists_of(job.by, job.precision)),
-        expected_(expected_pairs(job, what_)), lists_(buffers_, expected_, job.list_capacity, needs_pairs(job)),
-        walk_(walk_of(job.on, job.a, job.b, job.precision, what_, job.half)), cleared_(job.counts_cleared),
+      : job_(job), buffers_(job.on.buffers()),
+        first_(job.first_alone ? first_walk_of(job.on, job.a, job.b, job.by, job.precision) : std::nullopt),
+        what_(first_ ? walk_lists::first : lists_of(job.by, job.precision)), expected_(expected_pairs(job, what_)),
+        lists_(buffers_, expected_, job.list_capacity, needs_pairs(job)),
+        walk_(first_ ? tree_walk{} : walk_of(job.on, job.a, job.b, job.precision, what_, job.half)),
+        cleared_(job.counts_cleared),
         stops_early_(!job.answers.empty() &&
                      std::ranges::all_of(job.answers, [](const auto &a) { return a->stops_early(); })) {}
 
@@ -96,7 +101,10 @@ private:
       buffers_.clear_counts();
     cuda::pair_list hits = lists_.hits();
     hits.both_ways = job_.half && !job_.sieve;
-    walk(p, hits);
+    if (first_)
+      walk_first(p, hits);
+    else
+      walk(p, hits);
     if (what_ != walk_lists::hits)
       certify(hits);
     if (is_whole)
@@ -119,6 +127,12 @@ private:
     check(meetc::walk(walk_, job_.on.stream()), "starting the walk");
   }
 
+  void walk_first(const cuda::part &p, const cuda::pair_list &hits) {
+    first_->of = slots_of(p, job_.a.elements(), job_.b.elements());
+    first_->hits = hits, first_->unsure = lists_.candidates();
+    check(job_.by.pairs.walk_first(*first_, job_.on.stream()), "starting the walk");
+  }
+
   void certify(const cuda::pair_list &hits) {
     cuda::pair_list in = lists_.candidates(), out = lists_.kept();
     if (job_.sieve) {
@@ -135,10 +149,10 @@ private:
   // Takes the counts and the hits of a part whose lists did not overflow.
   void take(bool is_whole, device_result &r) {
     const auto seen = [this](counter c) { return buffers_.seen_of(c); };
-    r.candidates += seen(job_.sieve                   ? counter::apart
-                         : what_ == walk_lists::hits  ? counter::hits
-                         : what_ == walk_lists::balls ? counter::touching
-                                                      : counter::candidates);
+    r.candidates += seen(job_.sieve                        ? counter::apart
+                         : what_ == walk_lists::hits       ? counter::hits
+                         : what_ == walk_lists::candidates ? counter::candidates
+                                                           : counter::touching);
     r.count += seen(counter::hits);
     r.rungs.unsure[0] += seen(counter::unsure_fp32);
     r.rungs.unsure[1] += seen(counter::unsure_fp64);
@@ -151,6 +165,7 @@ private:
 
   const decision_job &job_;
   device_buffers &buffers_;
+  std::optional<cuda::first_walk_job> first_;
   walk_lists what_;
   std::uint64_t expected_;
   query_lists lists_;

@@ -25,6 +25,7 @@ struct decision_job {
   bool counts_cleared; // in the device's buffers, for the first part
   // Where pairs are listed, and no walk decides: what is decided is what it keeps, and hits are listed one way. Null: all.
   candidate_sieve *sieve = nullptr;
+  bool first_alone = false; // only what is met first is asked for, and segments go down alone to it, if they can
 };
 
 // Adds to r's count, candidates, unsure pairs and parts. Marks the clock behind the last kernel. Throws device_error.

@@ -3,6 +3,7 @@
 #include "meet/core/cascade/cascade.hpp"
 #include "meet/core/device/memory/buffers.hpp"
 #include "meet/core/device/query/parts.hpp"
+#include "meet/core/device/walk/first_walk.hpp"
 #include "meet/core/query/collide.hpp"
 
 #include <chrono>
@@ -75,9 +76,13 @@ device_result query(const device &on, device_rows &a, device_rows &b, const pred
   // Half of the pairs of a set with itself are looked at where the other half has the same answers.
   const bool half = &a == &b && predicate.symmetric && never_wrong(precision) && !options.first_met;
   if (a.elements() > 0 && b.elements() > 0)
-    decide_all({on, a, b, by, precision, half, answers, options.list_capacity, options.progress, clock_runs}, r);
+    decide_all({on, a, b, by, precision, half, answers, options.list_capacity, options.progress, clock_runs, nullptr,
+                options.want == answer_kind::none && options.first_alone.value_or(first_alone_pays(a))},
+               r);
   else
     buffers.mark_clock();
+  if (options.want == answer_kind::none)
+    r.count = 0;
   for (const auto &answer : answers)
     answer->finish();
   for (const auto &answer : answers)

@@ -184,6 +184,16 @@ cuda::tree_view device_rows::tree(cudaStream_t stream) {
   return tree_.view(elements_);
 }
 
+std::optional<cuda::fours_view> device_rows::fours(cudaStream_t stream) {
+  const cuda::tree_view all = tree(stream);
+  if (fours_of_ != version_) {
+    fours_of_ = 0;
+    fours_there_ = fours_.make(all, stream);
+    fours_of_ = version_;
+  }
+  return fours_there_;
+}
+
 cuda::tree_box device_rows::bounds() {
   cuda::tree_box all; // empty
   if (elements_ == 0)

@@ -5,6 +5,7 @@
 #ifndef MEETC_CORE_DEVICE_SET_ROWS_HPP
 #define MEETC_CORE_DEVICE_SET_ROWS_HPP
 
+#include "meet/core/device/set/fours.hpp"
 #include "meet/core/device/set/given.hpp"
 #include "meet/core/device/set/tree.hpp"
 
@@ -47,6 +48,8 @@ public:
   bool has_tree() const { return tree_of_ == version_; }
   // The hierarchy of the boxes of data(). It is made, on the stream, unless it exists already. There are elements.
   cuda::tree_view tree(cudaStream_t stream);
+  // That by fours, likewise; none where there are too many elements, or too little memory.
+  std::optional<cuda::fours_view> fours(cudaStream_t stream);
 
   // These replace the rows. They throw std::length_error beyond 2^32 - 1 elements.
   //
@@ -108,7 +111,9 @@ private:
   device_memory<std::byte> space_;       // to put it into order
   device_memory<std::uint32_t> counted_; // for that too; what uses it leaves it 0
   device_tree tree_;
-  std::uint64_t tree_of_ = 0; // version
+  device_fours fours_;
+  std::optional<cuda::fours_view> fours_there_;
+  std::uint64_t tree_of_ = 0, fours_of_ = 0; // versions
 };
 
 } // namespace meetc

@@ -10,7 +10,8 @@ namespace meetc {
 enum class walk_lists : std::uint8_t {
   candidates, // pairs whose boxes touch
   hits,       // the same, where the predicate says no more
-  balls       // hits that the boxes of balls prove, and candidates
+  balls,      // hits that the boxes of balls prove, and candidates
+  first       // of what is met first: hits that are proved on the way, and candidates
 };
 // Only rungs that are never wrong take the proof for an answer.
 walk_lists lists_of(const cuda::predicate_launchers &by, rung precision);

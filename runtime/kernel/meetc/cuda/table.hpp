@@ -6,7 +6,7 @@
 #define MEETC_CUDA_TABLE_HPP
 
 #include <meetc/table/table.hpp>
-#include <meetc/volume/tree.hpp>
+#include <meetc/volume/fours.hpp>
 
 #include <cuda_runtime_api.h>
 
@@ -233,6 +233,25 @@ MEETC_HD inline std::uint32_t number_of_b(const first_met_job &job, std::uint32_
   return job.owner_b ? job.owner_b[job.order_b[slot]] : job.order_b[slot];
 }
 
+// A walk of segments down the hierarchy of another set, each on its own. Rows of `a` are two points.
+struct first_walk_job {
+  const float *a, *b; // the rows of both sets
+  fours_view tree;    // over b
+  part of;            // slots
+  // Pairs that are proved to touch, and pairs that may; of each segment at least all that are not proved to come later than one
+  // that touches. Once one is full the walk stops early, and the counts may leave pairs out.
+  pair_list hits, unsure;
+  unsigned long long *taken;   // 0 at first
+  unsigned long long *decided; // grows by the number of pairs that were looked at
+  // Where one of these, of a and of b, says that a set is not in order, nothing is done. Null: it is.
+  const order_findings *found_a, *found_b;
+  std::uint32_t elements_a;
+
+  MEETC_HD bool is_to_be_done() const {
+    return (!found_a || is_order(*found_a, elements_a)) && (!found_b || is_order(*found_b, tree.shape.elements));
+  }
+};
+
 // Where pairs of rows meet: their contact codes (meetc/contact/code.hpp).
 struct contact_job {
   const float *a, *b;      // the rows of both sets
@@ -253,6 +272,9 @@ struct pair_launchers {
       run;
   // Looks at further hits. Null: the predicate knows no order.
   stated<cudaError_t (*)(const first_met_job &job, cudaStream_t stream)> first_met;
+  // Looks for them: each segment goes down alone, and certify_fp32 decides on the way. Null: the predicate knows no order, or
+  // the scene does not ask for `certified`.
+  stated<cudaError_t (*)(const first_walk_job &job, cudaStream_t stream)> walk_first;
   // Null: the scene asks for no sign that tells contacts.
   stated<cudaError_t (*)(const contact_job &job, cudaStream_t stream)> contacts;
 };

@@ -235,6 +235,17 @@ void comparison::compare(const std::string &scene, const predicate_info &p, cons
       // After fp32 the CPU's lanes find zeros by residues, and the device within windows.
       if (have.rungs.unsure[0] > want.rungs.unsure[0] && !fewer_unsure_on_cpu(p, a, b))
         fails(std::to_string(have.rungs.unsure[0]) + " unsure, and on the CPU " + std::to_string(want.rungs.unsure[0]));
+      with.want = answer_kind::none;
+      for (const bool alone : {false, true}) {
+        if (!with.first_met)
+          continue;
+        with.first_alone = alone;
+        const device_result first = ask(by, r, with);
+        if (first.first_met != want.first_met)
+          fails(std::string("other elements are met first where nothing else is asked") + (alone ? ", alone" : ""));
+        if (first.count != 0 || !first.pairs.empty())
+          fails("where only first ones are asked, pairs are counted or listed");
+      }
       if (!o.all_modes)
         continue;
       with.want = answer_kind::count;

@@ -55,8 +55,8 @@ public:
   }
   void same(const std::string &what, const predicate_info &p, const prepared &a, group_set &ga, const prepared &b,
             group_set &gb, const owners &o) {
-    for (const answer_kind want :
-         {answer_kind::pairs, answer_kind::count, answer_kind::counts, answer_kind::flags, answer_kind::any}) {
+    for (const answer_kind want : {answer_kind::pairs, answer_kind::count, answer_kind::counts, answer_kind::flags,
+                                   answer_kind::any, answer_kind::none}) {
       collide_options here;
       device_options there;
       here.want = there.want = want;
@@ -64,6 +64,9 @@ public:
       here.owner_b = there.owner_b = o.b;
       here.first_met = there.first_met =
           p.first_met && o.a.empty() && want != answer_kind::any && ga.how() == spread::cut;
+      if (want == answer_kind::none && !here.first_met)
+        continue;
+      there.first_alone = true;
       const result expected = collide(a, b, p, rung::certified, here);
       const device_result have = collide(on_, ga, gb, p, rung::certified, there);
       require(same_answer(have, expected), std::string(p.name) + ", " + what + ", " + o.name +

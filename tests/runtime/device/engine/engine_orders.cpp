@@ -157,9 +157,13 @@ void too_close(comparison &with, const settings &s) {
     device_set ga = device_set::given(with.on(), view_of(x), *p.a), gb = device_set::given(with.on(), view_of(y), *p.b);
     collide_options here;
     device_options there;
-    for (const answer_kind want : {answer_kind::pairs, answer_kind::counts, answer_kind::flags, answer_kind::any}) {
+    for (const answer_kind want :
+         {answer_kind::pairs, answer_kind::counts, answer_kind::flags, answer_kind::any, answer_kind::none}) {
+      if (want == answer_kind::none && !p.first_met)
+        continue;
       here.want = there.want = want;
-      here.first_met = there.first_met = p.first_met && want == answer_kind::pairs;
+      here.first_met = there.first_met = p.first_met && (want == answer_kind::pairs || want == answer_kind::none);
+      there.first_alone = true;
       const result on_cpu = collide(a, b, p, rung::certified, here);
       for (int again = 0; again < 2; ++again) {
         const device_result have = collide(with.on(), ga, gb, p, rung::certified, there);
