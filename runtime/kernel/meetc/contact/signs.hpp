@@ -11,12 +11,33 @@
 
 MEETC_NAMESPACE(meetc) {
 
+// The value of an emitted sign, which is exact, under the standard word.
+template <class Sign> MEETC_HD int exact_sign(const float *a, const float *b) {
+  if (standard_environment()) {
+    const sign_set known = certify_sign_here<Sign, in_fp32>(after_check(a), after_check(b));
+    if (is_known(known))
+      return before_return(static_cast<int>(known_sign(known)));
+  }
+#if !defined(__CUDA_ARCH__)
+  return static_cast<int>(Sign::after_fp32(a, b));
+#else
+  return static_cast<int>(later_rungs_sign<Sign>(a, b));
+#endif
+}
+// Its value for small integers, which tells its convention.
+template <class Sign> MEETC_HD constexpr int sign_of_integers(const std::int64_t *a, const std::int64_t *b) {
+  std::int64_t value[1] = {0};
+  stage_values<typename Sign::common_stage>(a, b, value);
+  const sign s[1] = {value[0] > 0 ? sign::positive : value[0] < 0 ? sign::negative : sign::zero};
+  return static_cast<int>(Sign::value(s));
+}
+
 // `Side` is the emitted sign of (triangle, point): a multiple of det.
 template <class Side> struct contact_signs {
   static_assert(Side::inputs_a == 9 && Side::inputs_b == 3 && Side::atoms == 1);
 
   // Exact, under the standard word.
-  MEETC_HD static int side(const float *triangle, const float *d) { return factor * emitted(triangle, d); }
+  MEETC_HD static int side(const float *triangle, const float *d) { return factor * exact_sign<Side>(triangle, d); }
   MEETC_HD static int det(const float *a, const float *b, const float *c, const float *d) {
     float row[9];
     for (int k = 0; k < 3; ++k)
@@ -33,26 +54,10 @@ private:
   // The sign of the factor, by a tetrahedron with det = 1.
   MEETC_HD static constexpr int convention() {
     const std::int64_t triangle[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, point[3] = {0, 0, 1};
-    std::int64_t value[1] = {0};
-    stage_values<typename Side::common_stage>(triangle, point, value);
-    const sign s[1] = {value[0] > 0 ? sign::positive : value[0] < 0 ? sign::negative : sign::zero};
-    return static_cast<int>(Side::value(s));
+    return sign_of_integers<Side>(triangle, point);
   }
   static constexpr int factor = convention();
   static_assert(factor != 0, "the sign that tells contacts is not that of a plane and a point");
-
-  MEETC_HD static int emitted(const float *triangle, const float *d) {
-    if (standard_environment()) {
-      const sign_set known = certify_sign_here<Side, in_fp32>(after_check(triangle), after_check(d));
-      if (is_known(known))
-        return before_return(static_cast<int>(known_sign(known)));
-    }
-#if !defined(__CUDA_ARCH__)
-    return static_cast<int>(Side::after_fp32(triangle, d));
-#else
-    return static_cast<int>(later_rungs_sign<Side>(triangle, d));
-#endif
-  }
 };
 
 MEETC_HD constexpr int next_corner(int i) {
