@@ -7,6 +7,8 @@
 #include "meet/core/views/numbered.hpp"
 #include "meet/core/views/rows.hpp"
 #include "meetc/contact/place.hpp"
+#include "meetc/contact/root_place.hpp"
+#include "meetc/contact/witness.hpp"
 
 #include <chrono>
 #include <stdexcept>
@@ -40,6 +42,7 @@ public:
     find_codes();
     name_nodes();
     place_nodes();
+    place_witnesses();
     joined_contacts j = join_contacts(out_.codes, out_.corners, out_.nodes());
     out_.pieces = std::move(j.pieces);
     out_.polylines = std::move(j.polylines);
@@ -74,14 +77,22 @@ private:
       const contact_code code(out_.codes[i]);
       for (int l = 0; l < code.labels(); ++l) {
         const unsigned label = code.label(l);
-        const std::uint32_t node =
-            nodes.number({names_a.name(in_a_[i], label_a(label)), names_b.name(in_b_[i], label_b(label))});
+        const int on_a = part_of_a(label, names_b, in_b_[i]);
+        const std::uint32_t node = nodes.number({names_a.name(in_a_[i], on_a), names_b.name(in_b_[i], label_b(label))});
         out_.corners.nodes.push_back(node);
         if (node == out_.sources.size())
           add_node(i, label);
       }
       out_.corners.end_list();
     }
+  }
+  // The carrier of a, with the roots in the order of the segment's name, so that both directions have the same two.
+  int part_of_a(unsigned label, const part_names &names_b, std::uint32_t row_b) const {
+    const int on = label_a(label);
+    if (out_.rows_a.corners != 0 || (on != first_root && on != second_root) ||
+        !names_b.runs_back(row_b, label_b(label)))
+      return on;
+    return on == first_root ? second_root : first_root;
   }
   void add_node(std::size_t pair, unsigned label) {
     out_.sources.push_back({in_a_[pair], in_b_[pair], label});
@@ -98,12 +109,30 @@ private:
     for_chunks(threads_, out_.sources.size(), nodes_at_once, [&](int, std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n) {
         const node_source &s = out_.sources[n];
-        place_label<Real>(element(out_.rows_a, s.a), element(out_.rows_b, s.b), s.label, out_.points.data() + 3 * n);
+        const contact_element a = element(out_.rows_a, s.a), b = element(out_.rows_b, s.b);
+        Real *const to = out_.points.data() + 3 * n;
+        if (a.corners == 0)
+          place_round_label(a.row, b.row, s.label, to);
+        else
+          place_label(a, b, s.label, to);
+      }
+    });
+  }
+  void place_witnesses() {
+    for (std::size_t i = 0; i < out_.codes.size(); ++i)
+      if (contact_code(out_.codes[i]).has_witness())
+        out_.witness_pairs.push_back(static_cast<std::uint32_t>(i));
+    out_.witnesses.resize(3 * out_.witness_pairs.size());
+    for_chunks(threads_, out_.witness_pairs.size(), nodes_at_once, [&](int, std::size_t begin, std::size_t end) {
+      for (std::size_t w = begin; w < end; ++w) {
+        const std::uint32_t i = out_.witness_pairs[w];
+        place_witness(element(out_.rows_a, in_a_[i]), element(out_.rows_b, in_b_[i]), contact_code(out_.codes[i]),
+                      out_.witnesses.data() + 3 * w);
       }
     });
   }
   static contact_element element(const touched_rows &of, std::uint32_t row) {
-    return {of.rows.data() + std::size_t{3} * static_cast<std::size_t>(of.corners) * row, of.corners};
+    return {of.rows.data() + static_cast<std::size_t>(of.fields) * row, of.corners};
   }
 };
 

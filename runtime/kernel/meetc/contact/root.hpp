@@ -30,14 +30,19 @@ MEETC_HD inline decoded_double decode_double(double v) {
 
 // The finite numbers of a type by their places: neighbours have consecutive ones, and 0 and -0 have 0.
 template <class Real> struct number_places;
-template <> struct number_places<float> { using place = std::int32_t; };
-template <> struct number_places<double> { using place = std::int64_t; };
+template <> struct number_places<float> {
+  using place = std::int32_t;
+  static constexpr place magnitude = 0x7fffffff;
+};
+template <> struct number_places<double> {
+  using place = std::int64_t;
+  static constexpr place magnitude = 0x7fffffffffffffff;
+};
 template <class Real> using place_of_number = typename number_places<Real>::place;
 template <class Real> MEETC_HD inline place_of_number<Real> to_place(Real v) {
   place_of_number<Real> bits;
   std::memcpy(&bits, &v, sizeof bits);
-  constexpr place_of_number<Real> magnitude = std::numeric_limits<place_of_number<Real>>::max();
-  return bits < 0 ? -(bits & magnitude) : bits;
+  return bits < 0 ? -(bits & number_places<Real>::magnitude) : bits;
 }
 template <class Real> MEETC_HD inline Real at_place(place_of_number<Real> n) {
   const place_of_number<Real> bits = n < 0 ? -n : n;
