@@ -141,14 +141,16 @@ const broken orders[] = {
 };
 const broken contacts[] = {
     {"hit =", "contacts = 'side'\nhit =", "a.toml:40:12",
-     "contacts are found of two or three points and three, and of a ball (a point, then its radius) and two points, and "
+     "contacts are found of two or three points and three, and of a ball (a point, then its radius) and two points, "
+     "and "
      "touch takes sphere and sphere",
      "'side'", "", "'touch'"},
     {"hit =", "contacts = 'witness'\nhit =", "a.toml:40:12",
      "touch must say whether a ball's inside belongs to it; write mode = 'solid' or mode = 'surface'", "'witness'", "",
      "'touch'"},
-    {"of = ['S: sphere', 'T: sphere']", "of = ['S: segment', 'T: sphere']\ncontacts = 'witness'", "a.toml:40:12",
-     "a witness is placed for a ball (a point, then its radius) and a ball or three points, and touch takes segment and "
+    {"['S: sphere', 'T: sphere']", "['S: segment', 'T: sphere']\ncontacts = 'witness'", "a.toml:40:12",
+     "a witness is placed for a ball (a point, then its radius) and a ball or three points, and touch takes segment "
+     "and "
      "sphere",
      "'witness'", "", "'touch'"},
     {"[kinds.segment]",
