@@ -4,7 +4,6 @@
 #include "gen/lang/operators.hpp"
 #include "gen/lang/relations.hpp"
 #include "gen/lang/spec.hpp"
-#include "gen/lang/witness.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

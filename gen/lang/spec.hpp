@@ -84,6 +84,9 @@ enum class meaning {
   contains, // the first holds all of the second
 };
 
+// The key `contacts` says this in place of a function: a runtime places one point of both operands.
+inline constexpr const char *one_witness = "witness";
+
 struct predicate {
   std::string name;
   location where;

@@ -1,7 +1,5 @@
 #include "gen/lower/kernel/contacts.hpp"
 
-#include "gen/lang/witness.hpp"
-
 #include <fmt/format.h>
 
 namespace meetc::lower {

@@ -1,5 +1,4 @@
 // The sources of the generated library: one for each kernel that is made of signs.
-#include "gen/lang/witness.hpp"
 #include "gen/target/cpp/names.hpp"
 #include "gen/target/cpp/predicate.hpp"
 
