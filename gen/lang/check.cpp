@@ -116,7 +116,7 @@ public:
       expression(*p.hit, s);
       calls_itself(p.name, p.where);
       check_meaning(a_, p);
-      if (!p.contacts.empty())
+      if (!p.contacts.empty() && p.contacts != one_witness)
         contacts_of(p);
     }
     for (const reading &r : a_.readings)
@@ -145,8 +145,7 @@ private:
     }
     if (f->params.size() != 2)
       throw spec_error(p.contacts_where,
-                       fmt::format("'{}' tells the contacts of {} and needs two arguments: the second operand, and a "
-                                   "point",
+                       fmt::format("'{}' tells the contacts of {} and needs two arguments: an operand, and a point",
                                    f->name, p.name));
   }
 

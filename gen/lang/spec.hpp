@@ -84,6 +84,9 @@ enum class meaning {
   contains, // the first holds all of the second
 };
 
+// The key `contacts` says this in place of a function: a runtime places one point of both operands.
+inline constexpr const char *one_witness = "witness";
+
 struct predicate {
   std::string name;
   location where;
@@ -96,7 +99,7 @@ struct predicate {
   location means_where;
   int common = 0; // of meaning::beyond: this many first points of both hulls are the same; 0: those that are equal
   location common_where;
-  // The function of its second operand and a point by whose sign a runtime finds where its operands meet. Empty: none.
+  // The function of an operand and a point by whose sign a runtime finds where the operands meet, or one_witness. Empty: none.
   std::string contacts;
   location contacts_where;
 };

@@ -3,6 +3,7 @@
 #include "gen/ir/count.hpp"
 #include "gen/ir/residue.hpp"
 #include "gen/lower/kernel/compile.hpp"
+#include "gen/lower/kernel/contacts.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -65,43 +66,6 @@ bound::subject subject_of(const predicate &p) {
 
 namespace {
 
-// The function that the kernel calls, or null.
-const lang::function *function_of(const model &m, const request &r) {
-  return r.body->kind == lang::op::call ? m.spec().find_function(r.body->text) : nullptr;
-}
-
-// The number of points of which an element consists; 0: of other numbers too.
-int points_of(const model &m, const lang::kind &k) {
-  const kind_layout l = m.layout(k);
-  return l.reals.size() == std::size_t{3} * static_cast<std::size_t>(l.points) ? l.points : 0;
-}
-
-// Runtimes find contacts of two triangles, or of a segment and a triangle.
-void check_contacts(const model &m, const lang::predicate &p) {
-  const int first = points_of(m, m.kind(p.of[0].type, p.of[0].where)),
-            second = points_of(m, m.kind(p.of[1].type, p.of[1].where));
-  if ((first != 2 && first != 3) || second != 3)
-    throw spec_error(p.contacts_where,
-                     fmt::format("contacts are found of elements of two or three points and those of three, and {} "
-                                 "takes {} and {}",
-                                 p.name, p.of[0].type, p.of[1].type));
-}
-
-// The kind of the first operand of a function that tells contacts, if the kernel is one of a kind of three points and of a
-// point.
-const lang::kind *sides_of(const model &m, const request &r, bool is_sign) {
-  const lang::function *f = function_of(m, r);
-  if (!f || r.kinds.size() != 2 || points_of(m, *r.kinds[0]) != 3 || points_of(m, *r.kinds[1]) != 1)
-    return nullptr;
-  for (const lang::predicate &p : m.spec().predicates)
-    if (p.contacts == f->name && is_sign)
-      return r.kinds[0];
-    else if (p.contacts == f->name)
-      throw spec_error(p.contacts_where,
-                       fmt::format("'{}' tells the contacts of {} and must be a sign", f->name, p.name));
-  return nullptr;
-}
-
 // The predicate that the kernel's function orders, if the operands are of the form that runtimes order: two points, and a pair
 // of elements with three points each.
 const lang::predicate *ordered_by(const model &m, const request &r) {
@@ -129,8 +93,7 @@ kernel compile(const model &m, const request &r) {
   out.asked = r;
   out.is_predicate = r.asked != nullptr;
   if (out.is_predicate) {
-    if (!r.asked->contacts.empty())
-      check_contacts(m, *r.asked);
+    check_contacts(m, *r.asked);
     out.decision = compile_predicate(m, r);
   } else if (auto sign = compile_sign(m, r)) {
     out.is_predicate = out.is_sign = true;

@@ -135,7 +135,7 @@ struct kernel {
   // The predicate whose hits along the first operand this sign orders, or null: the value is -1 where that operand meets the
   // first element of the second one's pair before the other one.
   const lang::predicate *orders = nullptr;
-  // A sign that tells on which side of an element of this kind, three points, a point lies; else null.
+  // A sign that tells on which side of an element of this kind, three points or a ball, a point lies; else null.
   const lang::kind *sides_of = nullptr;
 };
 

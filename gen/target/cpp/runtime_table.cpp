@@ -28,8 +28,10 @@ const lower::kernel *order_of(const unit &u, const lower::kernel &predicate) {
 
 const lower::kernel *contacts_of(const unit &u, const lower::kernel &predicate) {
   const lang::predicate &p = *predicate.asked.asked;
+  const lang::kind *const of =
+      predicate.asked.kinds[predicate.decision.inputs_a == 4 ? 0 : 1]; // a ball's sign, if there is one
   const auto at = std::find_if(u.kernels.begin(), u.kernels.end(), [&](const lower::kernel &k) {
-    return k.sides_of == predicate.asked.kinds[1] && k.asked.body->text == p.contacts && u.asks(lang::rung::certified);
+    return k.sides_of == of && k.asked.body->text == p.contacts && u.asks(lang::rung::certified);
   });
   return p.contacts.empty() || at == u.kernels.end() ? nullptr : &*at;
 }

@@ -10,17 +10,41 @@ std::string info_function(const lower::kernel &k) {
   return identifier(k.asked.asked->name) + "_info";
 }
 
+namespace {
+
+// The header and the table's function that find contacts, by the sign if they take one; empty: there is none.
+struct contacts_text {
+  const char *header;
+  std::string function;
+};
+contacts_text contacts_by(const emitted_predicate &p, const lower::kernel *sides) {
+  const lang::predicate &asked = *p.kernel.asked.asked;
+  const char *const surface = asked.mode == "surface" ? "true" : "false";
+  if (asked.contacts == lang::one_witness && p.of.asks(lang::rung::certified))
+    return {"round_pair", fmt::format("witness_codes<{}, {}>", p.name, surface)};
+  if (!sides)
+    return {"", ""};
+  const std::string sign = identifier(sides->asked.name()) + "_sign";
+  const int numbers = p.kernel.decision.inputs_a; // of the first operand: 4 are a ball
+  if (numbers == 4)
+    return {"round_pair", fmt::format("ball_segment_codes<{}, {}>", sign, surface)};
+  return {"contact", fmt::format("contact_codes<{}, {}>", sign, numbers / 3)};
+}
+
+} // namespace
+
 std::string predicate_source(const emitted_predicate &p) {
   const std::string space = identifier(p.of.scene.space), name = p.kernel.asked.name();
   std::string out = banner(p.of.scene, fmt::format("The parts of {} that only few pairs need.", p.kernel.asked.text));
   const lower::kernel *const order = p.kernel.is_sign ? nullptr : order_of(p.of, p.kernel);
-  const lower::kernel *const contacts = p.kernel.is_sign ? nullptr : contacts_of(p.of, p.kernel);
+  const lower::kernel *const sides = p.kernel.is_sign ? nullptr : contacts_of(p.of, p.kernel);
+  const contacts_text contacts = p.kernel.is_sign ? contacts_text{"", ""} : contacts_by(p, sides);
   out += "#include <meetc/simd/table_functions.hpp>\n";
   if (order)
     out += "#include <meetc/decide/first_met.hpp>\n";
-  if (contacts)
-    out += "#include <meetc/contact/contact.hpp>\n";
-  for (const lower::kernel *const k : {order, contacts})
+  if (!contacts.function.empty())
+    out += fmt::format("#include <meetc/contact/{}.hpp>\n", contacts.header);
+  for (const lower::kernel *const k : {order, sides})
     if (k)
       out += fmt::format("\n#include <{}/{}.hpp>", space, k->asked.name());
   out += fmt::format("\n#include <{0}/{1}.hpp>\n#include <{0}/detail/{1}_later.hpp>\n\nMEETC_NAMESPACE({0}) {{\n\n",
@@ -39,14 +63,13 @@ std::string predicate_source(const emitted_predicate &p) {
                        "    int number_b) {{\n"
                        "  {5}meetc::info_of<{1}, {2}>(\"{3}\", \"{4}\", a, b, number_a,\n      number_b);\n",
                        info_function(p.kernel), p.name, rungs, p.kernel.asked.asked->name, p.kernel.asked.asked->mode,
-                       order || contacts ? "meetc::predicate_info info = " : "return ");
+                       order || !contacts.function.empty() ? "meetc::predicate_info info = " : "return ");
     if (order)
       out +=
           fmt::format("  info.first_met = meetc::first_met<{}, {}_sign>;\n", p.name, identifier(order->asked.name()));
-    if (contacts)
-      out += fmt::format("  info.contacts = meetc::guarded<meetc::contact_codes<{}_sign, {}>>;\n",
-                         identifier(contacts->asked.name()), p.kernel.decision.inputs_a / 3);
-    if (order || contacts)
+    if (!contacts.function.empty())
+      out += fmt::format("  info.contacts = meetc::guarded<meetc::{}>;\n", contacts.function);
+    if (order || !contacts.function.empty())
       out += "  return info;\n";
     out += "}\n} // namespace detail\n";
   }

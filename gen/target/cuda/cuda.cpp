@@ -35,6 +35,12 @@ std::string shape_of(const std::string &kind) {
   return identifier(kind) + "_shape";
 }
 
+// The sign by which a device tells contacts, which are those of triangles and of segments with triangles. Null: it does not.
+const lower::kernel *device_contacts_of(const unit &u, const lower::kernel &k) {
+  const bool of_ball = k.decision.inputs_a == 4;
+  return of_ball ? nullptr : contacts_of(u, k);
+}
+
 // Whether there is a walk to what is met first, which decides in fp32 with bounds on the way.
 bool walks_first(const unit &u, const lower::kernel &k) {
   return order_of(u, k) && u.asks(lang::rung::certified);
@@ -54,7 +60,7 @@ std::string catalogue_text(const unit &u) {
                               k->asked.asked->name, element_place(kinds, *k, 0), element_place(kinds, *k, 1), name,
                               order_of(u, *k) ? fmt::format("{}::first_met", name) : "nullptr",
                               walks_first(u, *k) ? fmt::format("{}::walk_first", name) : "nullptr",
-                              contacts_of(u, *k) ? fmt::format("{}::contacts", name) : "nullptr",
+                              device_contacts_of(u, *k) ? fmt::format("{}::contacts", name) : "nullptr",
                               !k->decision.reject.atoms.empty(), k->decision.by_boxes, k->decision.by_balls);
     ++count;
   }
@@ -120,7 +126,7 @@ std::string cuda_header(const unit &u) {
       out += fmt::format("  static cudaError_t first_met{};\n", first_met_parameters);
     if (walks_first(u, *k))
       out += fmt::format("  static cudaError_t walk_first{};\n", walk_first_parameters);
-    if (contacts_of(u, *k))
+    if (device_contacts_of(u, *k))
       out += fmt::format("  static cudaError_t contacts{};\n", contacts_parameters);
     out += "};\n";
   }
@@ -252,7 +258,7 @@ std::vector<file> cuda_files(const unit &u) {
     if (const lower::kernel *const order = order_of(u, *k))
       out.push_back({fmt::format("{}/src/{}.cu", space, order->asked.name()), cuda_order(u, *k, *order)});
   for (const lower::kernel *k : predicates_of(u))
-    if (const lower::kernel *const side = contacts_of(u, *k))
+    if (const lower::kernel *const side = device_contacts_of(u, *k))
       out.push_back({fmt::format("{}/src/{}.cu", space, contact_source(*k)), cuda_contacts(u, *k, *side)});
   for (const lower::lowered_kind *k : element_kinds(u))
     out.push_back({fmt::format("{}/src/{}.cu", space, kind_source(k->name)), cuda_kind(u, *k)});

@@ -130,9 +130,9 @@ void add_answers(CLI::App &c, arguments &to) {
       ->type_name("out.csv");
   c.add_option(
        "--contacts", q.contacts,
-       "Write where the pairs of triangles, or of segments and triangles, meet: .csv, a row for each corner of a "
-       "pair's contact; .obj or .ply, polylines and flat polygons; .json, all of it. Each coordinate is the exact "
-       "one, rounded once to float32")
+       "Write where the pairs of triangles, of segments and triangles, or of spheres and segments, meet: .csv, a row for "
+       "each corner of a pair's contact; .obj or .ply, polylines and flat polygons; .json, all of it. Each coordinate "
+       "is the exact one, rounded once to float32. Other pairs of spheres get a witness each, a point of both")
       ->type_name("out.csv|obj|ply|json");
   c.add_flag("--contacts-float64", q.contacts_float64, "Round the coordinates of --contacts to float64")
       ->disable_flag_override();

@@ -11,6 +11,7 @@
 #include "meet/io/text/text.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <iterator>
 
@@ -47,6 +48,8 @@ part_numbers numbers_of(const element_part &part, const io::element_set &set) {
     const std::size_t at = points * part.element + static_cast<std::size_t>(corner) % points;
     return set.index.empty() ? at : set.index[at];
   };
+  if (points == 0)
+    return {part.dimension == 3 ? "inside" : "surface", {part.element, 0}, 1};
   if (part.dimension == 2)
     return {"face", {set.owner_of(part.element), 0}, 1};
   if (part.dimension == 0)
@@ -64,20 +67,28 @@ template <class Real> std::string as_csv(const named_contacts<Real> &c) {
   const bool cut_a = !c.a.owner.empty(), cut_b = !c.b.owner.empty();
   std::string out =
       fmt::format("a,b{}{},node,x,y,z,on_a,on_b\n", cut_a ? ",triangle_a" : "", cut_b ? ",triangle_b" : "");
+  const auto begin_row = [&](std::size_t pair) {
+    const std::uint32_t a = c.element(pair, false), b = c.element(pair, true);
+    fmt::format_to(std::back_inserter(out), "{},{}", c.a.owner_of(a), c.b.owner_of(b));
+    if (cut_a)
+      fmt::format_to(std::back_inserter(out), ",{}", a);
+    if (cut_b)
+      fmt::format_to(std::back_inserter(out), ",{}", b);
+  };
   for (std::size_t i = 0; i < c.of.pairs.size(); ++i)
     for (const std::uint32_t node : c.of.corners[i]) {
-      const std::uint32_t a = c.element(i, false), b = c.element(i, true);
-      fmt::format_to(std::back_inserter(out), "{},{}", c.a.owner_of(a), c.b.owner_of(b));
-      if (cut_a)
-        fmt::format_to(std::back_inserter(out), ",{}", a);
-      if (cut_b)
-        fmt::format_to(std::back_inserter(out), ",{}", b);
+      begin_row(i);
       const Real *const x = c.of.points.data() + std::size_t{3} * node;
       fmt::format_to(std::back_inserter(out), ",{},{},{},{}", node, x[0], x[1], x[2]);
       append_part(out, numbers_of(c.on(node, false), c.a));
       append_part(out, numbers_of(c.on(node, true), c.b));
       out += '\n';
     }
+  for (std::size_t i = 0; i < c.of.witness_pairs.size(); ++i) {
+    begin_row(c.of.witness_pairs[i]);
+    const Real *const x = c.of.witnesses.data() + 3 * i;
+    fmt::format_to(std::back_inserter(out), ",,{},{},{},witness,witness\n", x[0], x[1], x[2]);
+  }
   return out;
 }
 
@@ -87,10 +98,18 @@ void append_list(std::string &out, char what, std::span<const std::uint32_t> nod
   for (const std::uint32_t node : nodes)
     fmt::format_to(std::back_inserter(out), " {}", std::size_t{node} + 1);
 }
+template <class Real> void append_vertices(std::string &out, const std::vector<Real> &points) {
+  for (std::size_t i = 0; i < points.size(); i += 3)
+    fmt::format_to(std::back_inserter(out), "v {} {} {}\n", points[i], points[i + 1], points[i + 2]);
+}
+constexpr const char *witness_comment = "each point is a witness, one of its pair";
+
 template <class Real> std::string as_obj(const contact_set<Real> &c) {
   std::string out;
-  for (std::size_t n = 0; n < c.nodes(); ++n)
-    fmt::format_to(std::back_inserter(out), "v {} {} {}\n", c.points[3 * n], c.points[3 * n + 1], c.points[3 * n + 2]);
+  if (!c.witness_pairs.empty())
+    out = fmt::format("# {}\n", witness_comment);
+  append_vertices(out, c.points);
+  append_vertices(out, c.witnesses);
   for (std::size_t i = 0; i < c.polylines.size(); ++i) {
     append_list(out, 'l', c.polylines[i]);
     if (c.closed[i])
@@ -103,6 +122,8 @@ template <class Real> std::string as_obj(const contact_set<Real> &c) {
   }
   for (const std::uint32_t node : c.single_nodes)
     fmt::format_to(std::back_inserter(out), "p {}\n", std::size_t{node} + 1);
+  for (std::size_t i = 0; i < c.witness_pairs.size(); ++i)
+    fmt::format_to(std::back_inserter(out), "p {}\n", c.nodes() + i + 1);
   return out;
 }
 
@@ -126,12 +147,14 @@ template <class Real> std::string as_ply(const contact_set<Real> &c) {
       edge(nodes.back(), nodes.front());
   }
   std::string out =
-      fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty {} x\nproperty {} y\n"
+      fmt::format("ply\nformat binary_little_endian 1.0\n{}element vertex {}\nproperty {} x\nproperty {} y\n"
                   "property {} z\nelement edge {}\nproperty int vertex1\nproperty int vertex2\n"
                   "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
-                  c.nodes(), type, type, type, edge_count, c.patches.size());
-  for (const Real x : c.points)
-    append_binary(out, x);
+                  c.witness_pairs.empty() ? "" : fmt::format("comment {}\n", witness_comment),
+                  c.nodes() + c.witness_pairs.size(), type, type, type, edge_count, c.patches.size());
+  for (const std::vector<Real> *const points : {&c.points, &c.witnesses})
+    for (const Real x : *points)
+      append_binary(out, x);
   out += edges;
   for (std::size_t i = 0; i < c.patches.size(); ++i) {
     append_binary(out, static_cast<std::uint8_t>(c.patches[i].size()));
@@ -162,10 +185,10 @@ json shortest(double x) {
 }
 template <class Real> std::string as_json(const named_contacts<Real> &c) {
   json nodes = json::array(), pairs = json::array(), pieces = json::array(), polylines = json::array(),
-       patches = json::array();
+       patches = json::array(), witnesses = json::array();
+  const auto at = [](const Real *x) { return json{shortest(x[0]), shortest(x[1]), shortest(x[2])}; };
   for (std::size_t n = 0; n < c.of.nodes(); ++n) {
-    const Real *const x = c.of.points.data() + 3 * n;
-    nodes.push_back({{"at", {shortest(x[0]), shortest(x[1]), shortest(x[2])}},
+    nodes.push_back({{"at", at(c.of.points.data() + 3 * n)},
                      {"on_a", as_json(numbers_of(c.on(n, false), c.a))},
                      {"on_b", as_json(numbers_of(c.on(n, true), c.b))}});
   }
@@ -187,6 +210,8 @@ template <class Real> std::string as_json(const named_contacts<Real> &c) {
     polylines.push_back({{"closed", c.of.closed[i] != 0}, {"nodes", list(c.of.polylines[i])}});
   for (std::size_t i = 0; i < c.of.patches.size(); ++i)
     patches.push_back({{"pair", c.of.patch_pairs[i]}, {"nodes", list(c.of.patches[i])}});
+  for (std::size_t i = 0; i < c.of.witness_pairs.size(); ++i)
+    witnesses.push_back({{"pair", c.of.witness_pairs[i]}, {"at", at(c.of.witnesses.data() + 3 * i)}});
   return in_one_line({{"embedded", contact_set<Real>::embedded},
                       {"coordinates", sizeof(Real) == 4 ? "float32" : "float64"},
                       {"nodes", std::move(nodes)},
@@ -194,7 +219,8 @@ template <class Real> std::string as_json(const named_contacts<Real> &c) {
                       {"pieces", std::move(pieces)},
                       {"polylines", std::move(polylines)},
                       {"patches", std::move(patches)},
-                      {"single_nodes", list(c.of.single_nodes)}}) +
+                      {"single_nodes", list(c.of.single_nodes)},
+                      {"witnesses", std::move(witnesses)}}) +
          '\n';
 }
 
@@ -223,6 +249,13 @@ contact_counts write_in(const fs::path &to, const io::element_set &a, const io::
                         const answers &found, output_files &outputs) {
   const io::element_set &first = asked.by.swapped ? b : a, &second = asked.by.swapped ? a : b;
   const contact_set<Real> c = find_contacts<Real>(first, second, asked, found);
+  for (std::size_t i = 0; i < c.witnesses.size(); ++i)
+    if (!std::isfinite(c.witnesses[i])) {
+      const index_pair &p = c.pairs[c.witness_pairs[i / 3]];
+      throw failure(fmt::format("--contacts {}: {} {} and {} {} meet beyond the range of float32; write "
+                                "--contacts-float64 as well",
+                                to.string(), asked.by.predicate->a->name, p.a, asked.by.predicate->b->name, p.b));
+    }
   const std::string extension = extension_of(to);
   const named_contacts<Real> named{c, a, b, asked.by.swapped};
   outputs.write(to, [&](const fs::path &file) {
@@ -231,9 +264,13 @@ contact_counts write_in(const fs::path &to, const io::element_set &a, const io::
                          : extension == ".ply" ? as_ply(c)
                                                : as_json(named));
   });
-  return {c.nodes(),          c.pieces.size(),
-          c.polylines.size(), static_cast<std::size_t>(std::count(c.closed.begin(), c.closed.end(), 1)),
-          c.patches.size(),   c.single_nodes.size(),
+  return {c.nodes(),
+          c.pieces.size(),
+          c.polylines.size(),
+          static_cast<std::size_t>(std::count(c.closed.begin(), c.closed.end(), 1)),
+          c.patches.size(),
+          c.single_nodes.size(),
+          c.witness_pairs.size(),
           c.seconds};
 }
 
@@ -253,7 +290,9 @@ void check_contact_file(const fs::path &to) {
 void require_contacts(const predicate_info &predicate) {
   if (!predicate.contacts)
     throw failure(
-        fmt::format("--contacts needs two meshes, or segments and a mesh; {} has no contacts", predicate.name));
+        fmt::format("--contacts goes with two meshes, segments and a mesh, and spheres with spheres, segments or "
+                    "a mesh; {} has no contacts",
+                    predicate.name));
 }
 
 contact_counts write_contacts(const fs::path &to, bool float64, const io::element_set &a, const io::element_set &b,
@@ -262,6 +301,8 @@ contact_counts write_contacts(const fs::path &to, bool float64, const io::elemen
 }
 
 std::string in_words(const contact_counts &c) {
+  if (c.witnesses > 0)
+    return fmt::format("{} witness{}, one of each pair", grouped(c.witnesses), c.witnesses == 1 ? "" : "es");
   std::string out = fmt::format("{}, {}, {} ({} closed)", some(c.nodes, "node"), some(c.pieces, "piece"),
                                 some(c.polylines, "polyline"), grouped(c.closed));
   if (c.patches > 0)

@@ -4,8 +4,10 @@
 // triangle_a or triangle_b where a file's polygons were cut, node, x, y, z, on_a and on_b. Rows of one node have one number.
 // .obj and .ply: the nodes as vertices, polylines as lines or edges (a closed one comes back to its first node), and patches as
 // faces; nodes on none of these are points, in .obj as `p`. .json: everything.
-// A node lies on "vertex V", "edge V W" or "face F" of each set: vertices as the file numbers them, from 0, or corner by corner
-// where it numbers none; of several vertices with equal coordinates one. Edges may be those between the triangles of a polygon.
+// Pairs with a witness have one row, without a node, where on_a and on_b are "witness"; .obj and .ply say so in a comment.
+// A node lies on "vertex V", "edge V W" or "face F" of each set, or on the "surface B" or "inside B" of a ball. Vertices are as
+// the file numbers them, from 0, or corner by corner where it numbers none; of several vertices with equal coordinates one.
+// Edges may be those between the triangles of a polygon.
 #ifndef MEETC_APP_OUTPUT_CONTACT_FILES_HPP
 #define MEETC_APP_OUTPUT_CONTACT_FILES_HPP
 
@@ -15,7 +17,7 @@
 namespace meetc::app {
 
 struct contact_counts {
-  std::size_t nodes = 0, pieces = 0, polylines = 0, closed = 0, patches = 0, single_nodes = 0;
+  std::size_t nodes = 0, pieces = 0, polylines = 0, closed = 0, patches = 0, single_nodes = 0, witnesses = 0;
   double seconds = 0; // to find them, without writing
 };
 

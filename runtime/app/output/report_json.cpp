@@ -60,7 +60,7 @@ std::string as_json(const collide_report &r) {
   if (const auto &c = r.contacts)
     out["contacts"] = {{"nodes", c->nodes},      {"pieces", c->pieces},   {"polylines", c->polylines},
                        {"closed", c->closed},    {"patches", c->patches}, {"single_nodes", c->single_nodes},
-                       {"embedded", "unchecked"}};
+                       {"witnesses", c->witnesses}, {"embedded", "unchecked"}};
   if (r.asked.tolerance > 0) {
     out["tolerance"] = r.asked.tolerance;
     out["grid"] = r.asked.grid;

@@ -37,6 +37,7 @@ public:
     name_nodes();
     out_.points.resize(3 * out_.sources.size());
     steps.place_nodes(out_.sources, out_.points.data());
+    place_witnesses(steps);
     joined_contacts j = join_contacts(out_.codes, out_.corners, out_.nodes());
     out_.pieces = std::move(j.pieces);
     out_.polylines = std::move(j.polylines);
@@ -68,14 +69,23 @@ private:
       const contact_code code(out_.codes[i]);
       for (int l = 0; l < code.labels(); ++l) {
         const unsigned label = code.label(l);
+        const int on_a = part_of_a(label, names_b, rows_[i].b);
         const std::uint32_t node =
-            nodes.number({names_a.name(rows_[i].a, label_a(label)), names_b.name(rows_[i].b, label_b(label))});
+            nodes.number({names_a.name(rows_[i].a, on_a), names_b.name(rows_[i].b, label_b(label))});
         out_.corners.nodes.push_back(node);
         if (node == out_.sources.size())
           add_node(i, label);
       }
       out_.corners.end_list();
     }
+  }
+  // The carrier of a, with the roots in the order of the segment's name, so that both directions have the same two.
+  int part_of_a(unsigned label, const part_names &names_b, std::uint32_t row_b) const {
+    const int on = label_a(label);
+    if (out_.rows_a.corners != 0 || (on != first_root && on != second_root) ||
+        !names_b.runs_back(row_b, label_b(label)))
+      return on;
+    return on == first_root ? second_root : first_root;
   }
   void add_node(std::size_t pair, unsigned label) {
     out_.sources.push_back({rows_[pair].a, rows_[pair].b, label});
@@ -85,6 +95,17 @@ private:
     };
     out_.on_a.push_back(part(out_.pairs[pair].a, label_a(label), out_.rows_a.corners));
     out_.on_b.push_back(part(out_.pairs[pair].b, label_b(label), out_.rows_b.corners));
+  }
+  void place_witnesses(contact_steps<Real> &steps) {
+    std::vector<index_pair> rows;
+    std::vector<std::uint64_t> codes;
+    for (std::size_t i = 0; i < out_.codes.size(); ++i)
+      if (contact_code(out_.codes[i]).has_witness()) {
+        out_.witness_pairs.push_back(static_cast<std::uint32_t>(i));
+        rows.push_back(rows_[i]), codes.push_back(out_.codes[i]);
+      }
+    out_.witnesses.resize(3 * rows.size());
+    steps.place_witnesses(rows, codes.data(), out_.witnesses.data());
   }
 };
 

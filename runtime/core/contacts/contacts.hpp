@@ -1,5 +1,5 @@
 // core/contacts/contacts.hpp: where the pairs that collide() finds meet: a point, a segment or a polygon of each pair, and the
-// polylines and flat patches that these make together.
+// polylines and flat patches that these make together; of pairs that share what has no such corners, one point, a witness.
 //
 // A pair's corners are named by the parts of both elements on which they lie (a vertex, an edge, a face), and corners of one
 // name are one node: names are compared, not coordinates. Vertices of equal coordinates are one vertex (+0 and -0 are equal),
@@ -7,6 +7,10 @@
 // are one to one; that is not checked, and elsewhere several nodes may be one point. Names and their order are exact. Each
 // coordinate is the exact one, rounded once, to the nearest number and of two to the even one; so rounded points need not
 // lie on the elements. The answer is the same, bit for bit, for any number of threads.
+//
+// A segment meets a solid ball in a segment or a point, and a ball's surface in up to two points. Their coordinates are
+// (P + Q sqrt D) / S in integers; they are rounded once like the others. A ball with another ball, or with a triangle, has a
+// witness (meetc/contact/witness.hpp), which lies on both up to a stated error, is no node and is joined with nothing.
 #ifndef MEETC_CORE_CONTACTS_CONTACTS_HPP
 #define MEETC_CORE_CONTACTS_CONTACTS_HPP
 
@@ -27,7 +31,7 @@ namespace meetc {
 // A part of an element; meetc/contact/code.hpp numbers carriers.
 struct element_part {
   std::uint32_t element;  // that of the first pair with this node
-  std::uint8_t dimension; // 0 a vertex, 1 an edge, 2 a face
+  std::uint8_t dimension; // 0 a vertex, 1 an edge, 2 a face or a ball's surface, 3 a ball's inside
   std::uint8_t carrier;
 };
 
@@ -43,9 +47,10 @@ struct node_lists {
   void end_list() { offsets.push_back(nodes.size()); }
 };
 
-// Numerator and denominator, in lowest terms and in decimal; the denominator is positive.
+// (numerator + root sqrt(radicand)) / denominator: whole numbers in decimal. The denominator is positive, and no number divides
+// it, the numerator and the root. A rational coordinate has root and radicand 0.
 struct decimal_fraction {
-  std::string numerator, denominator;
+  std::string numerator, denominator, root = "0", radicand = "0";
 };
 
 // A node's first corner: the pair of rows and the label by which its coordinates are computed.
@@ -56,7 +61,8 @@ struct node_source {
 
 // The rows of the elements that are in some pair.
 struct touched_rows {
-  int corners = 0; // of an element
+  int corners = 0; // of an element; 0: the rows are balls
+  int fields = 0;  // of a row
   std::vector<std::uint32_t> elements;
   std::vector<float> rows;
 };
@@ -69,7 +75,8 @@ template <class Real> struct contact_set {
   node_lists corners;                   // of each pair, in the order of its code; none where the elements are apart
   std::vector<Real> points;             // x, y, z of each node, in the units of the posed elements
   std::vector<element_part> on_a, on_b; // of each node
-  // Segments of two nodes in which some pair meets, none twice, along N_A x N_B of the first such pair. A segment along a side
+  // Segments of two nodes in which some pair meets, none twice, along N_A x N_B of the first such pair, or along its segment. A
+  // segment along a side
   // of a patch is one only if a pair in two planes meets in it: the others are edges of the triangulation inside a flat
   // contact.
   std::vector<std::array<std::uint32_t, 2>> pieces;
@@ -80,10 +87,15 @@ template <class Real> struct contact_set {
   node_lists patches;                      // polygons in which coplanar pairs overlap, counter-clockwise from N_A's tip
   std::vector<std::uint32_t> patch_pairs;  // of each patch, the index of its pair
   std::vector<std::uint32_t> single_nodes; // on no piece and no patch, ascending
-  double seconds = 0;                      // wall-clock time of the call
+  // The index of each pair with a witness, and its x, y, z. Before it is rounded to Real a witness lies within 2^-46 m of
+  // both elements, with m the sum of the radii and, for each axis, of the greatest difference of coordinates. A coordinate
+  // beyond the range of Real is infinite.
+  std::vector<std::uint32_t> witness_pairs;
+  std::vector<Real> witnesses;
+  double seconds = 0; // wall-clock time of the call
 
   std::size_t nodes() const { return points.size() / 3; }
-  // The coordinates of a node as fractions. Throws std::out_of_range.
+  // The exact coordinates of a node. Throws std::out_of_range.
   std::array<decimal_fraction, 3> exact(std::size_t node) const;
 
   touched_rows rows_a, rows_b;

@@ -1,6 +1,7 @@
-// The coordinates of a node as decimal fractions in lowest terms.
+// The exact coordinates of a node in decimal, in lowest terms.
 #include "meet/core/contacts/contacts.hpp"
 #include "meetc/contact/fraction.hpp"
+#include "meetc/contact/root.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -56,6 +57,42 @@ void subtract(whole &x, const whole &y) { // y <= x
   }
   trim(x);
 }
+void add(whole &x, const whole &y) {
+  x.resize(std::max(x.size(), y.size()) + 1);
+  std::uint64_t carry = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const uint128 sum = uint128{x[i]} + (i < y.size() ? y[i] : 0) + carry;
+    x[i] = static_cast<std::uint64_t>(sum);
+    carry = static_cast<std::uint64_t>(sum >> 64);
+  }
+  trim(x);
+}
+whole product(const whole &x, const whole &y) {
+  whole out(x.size() + y.size(), 0);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    uint128 carry = 0;
+    for (std::size_t j = 0; j < y.size(); ++j) {
+      carry += uint128{x[i]} * y[j] + out[i + j];
+      out[i + j] = static_cast<std::uint64_t>(carry);
+      carry >>= 64;
+    }
+    out[i + y.size()] = static_cast<std::uint64_t>(carry);
+  }
+  trim(out);
+  return out;
+}
+// The greatest whole number whose square is not above x.
+whole square_root(const whole &x) {
+  whole out;
+  for (int bit = 32 * static_cast<int>(x.size()); bit-- > 0;) {
+    whole one{1}, more = out;
+    raise(one, bit);
+    add(more, one);
+    if (!less(x, product(more, more)))
+      out = std::move(more);
+  }
+  return out;
+}
 std::uint64_t divide(whole &x, std::uint64_t by) { // returns the remainder
   uint128 rest = 0;
   for (std::size_t i = x.size(); i-- > 0;) {
@@ -105,6 +142,19 @@ whole quotient(whole x, whole y) {
   return out;
 }
 
+// A whole number with a sign.
+struct whole_number {
+  whole size;
+  bool negative;
+};
+std::string decimal(whole_number x) {
+  const bool negative = x.negative && !x.size.empty();
+  std::string out = decimal(std::move(x.size));
+  if (negative)
+    out.insert(0, 1, '-');
+  return out;
+}
+
 // (numerator / denominator) 2^exponent in lowest terms.
 decimal_fraction in_lowest_terms(whole numerator, whole denominator, int exponent, bool negative) {
   if (numerator.empty())
@@ -114,10 +164,69 @@ decimal_fraction in_lowest_terms(whole numerator, whole denominator, int exponen
   const whole divisor = common_divisor(numerator, denominator);
   numerator = quotient(std::move(numerator), divisor), denominator = quotient(std::move(denominator), divisor);
   raise(twos > 0 ? numerator : denominator, twos > 0 ? twos : -twos);
-  decimal_fraction out{decimal(std::move(numerator)), decimal(std::move(denominator))};
-  if (negative)
-    out.numerator.insert(0, 1, '-');
+  return {decimal(whole_number{std::move(numerator), negative}), decimal(std::move(denominator))};
+}
+
+// The divisor that some numbers have in common, of which one at least is not 0.
+whole common_divisor_of(const std::array<const whole *, 3> &numbers) {
+  whole out;
+  int twos = 0;
+  for (const whole *const x : numbers) {
+    if (x->empty())
+      continue;
+    const int here = twos_in(*x);
+    whole odd = *x;
+    lower(odd, here);
+    twos = out.empty() ? here : std::min(twos, here);
+    out = out.empty() ? std::move(odd) : common_divisor(std::move(out), std::move(odd));
+  }
+  raise(out, twos);
   return out;
+}
+
+whole_number sum(whole_number x, const whole_number &y) {
+  if (x.negative == y.negative) {
+    add(x.size, y.size);
+    return x;
+  }
+  if (less(x.size, y.size)) {
+    whole_number out = y;
+    subtract(out.size, x.size);
+    return out;
+  }
+  subtract(x.size, y.size);
+  return x;
+}
+
+// (p + q sqrt(d)) / s 2^exponent
+decimal_fraction root_in_lowest_terms(whole_number p, whole_number q, whole d, whole s, int exponent) {
+  const whole root = square_root(d);
+  if (q.size.empty() || product(root, root) == d) {
+    const whole_number x = sum(std::move(p), {product(q.size, root), q.negative});
+    return in_lowest_terms(x.size, std::move(s), exponent, x.negative);
+  }
+  const int fours = twos_in(d) / 2;
+  lower(d, 2 * fours);
+  raise(q.size, fours);
+  if (exponent > 0)
+    raise(p.size, exponent), raise(q.size, exponent);
+  else
+    raise(s, -exponent);
+  const whole divisor = common_divisor_of({&p.size, &q.size, &s});
+  for (whole *const x : {&p.size, &q.size, &s})
+    *x = quotient(std::move(*x), divisor);
+  return {decimal(std::move(p)), decimal(std::move(s)), decimal(std::move(q)), decimal(std::move(d))};
+}
+decimal_fraction exact_root(const float *ball, const float *segment, int which, int k) {
+  root_integers<float> integers(ball, segment);
+  const auto parts = integers.root(which, k);
+  const auto size = [](const auto &x) { return from_limbs(x.limbs, x.n); };
+  return root_in_lowest_terms({size(parts.p), parts.p.negative}, {size(parts.q), parts.q.negative}, size(parts.d),
+                              size(parts.s), integers.exponent());
+}
+decimal_fraction exact_number(float x) {
+  const decoded d = decode(x);
+  return in_lowest_terms(d.m == 0 ? whole{} : whole{d.m}, whole{1}, d.e, d.negative);
 }
 
 } // namespace
@@ -127,17 +236,21 @@ template <class Real> std::array<decimal_fraction, 3> contact_set<Real>::exact(s
     throw std::out_of_range("contacts: there is no node " + std::to_string(node) + " of " +
                             std::to_string(sources.size()));
   const auto element = [](const touched_rows &of, std::uint32_t row) {
-    return contact_element{of.rows.data() + std::size_t{3} * static_cast<std::size_t>(of.corners) * row, of.corners};
+    return contact_element{of.rows.data() + static_cast<std::size_t>(of.fields) * row, of.corners};
   };
   const node_source &s = sources[node];
-  const label_points at(element(rows_a, s.a), element(rows_b, s.b), s.label);
+  const contact_element a = element(rows_a, s.a), b = element(rows_b, s.b);
   std::array<decimal_fraction, 3> out;
+  if (a.corners == 0) {
+    for (int k = 0; k < 3; ++k)
+      out[static_cast<std::size_t>(k)] = label_b(s.label) < 2 ? exact_number(b.row[3 * label_b(s.label) + k])
+                                                              : exact_root(a.row, b.row, label_a(s.label), k);
+    return out;
+  }
+  const label_points at(a, b, s.label);
   if (!at.q) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const decoded d = decode(at.p[k]);
-      const std::uint64_t m = d.m, one = 1;
-      out[k] = in_lowest_terms(from_limbs(&m, 1), from_limbs(&one, 1), d.e, d.negative);
-    }
+    for (std::size_t k = 0; k < 3; ++k)
+      out[k] = exact_number(at.p[k]);
     return out;
   }
   label_fraction fraction(at);

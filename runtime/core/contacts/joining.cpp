@@ -54,7 +54,7 @@ private:
     reports_[k] |= how;
   }
   void take(contact_code code, std::span<const std::uint32_t> at, std::uint32_t pair, std::vector<std::uint8_t> &used) {
-    if (at.size() == 2)
+    if (at.size() == 2 && code.dimension() == 1)
       report(at[0], at[1], code.in_one_plane() ? in_plane : crossing);
     if (at.size() < 3)
       return;

@@ -5,13 +5,15 @@
 #include "meet/core/views/rows.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 
 namespace meetc {
 
 touched_rows touched_by(const view &elements, const kind_info &kind, const pose &at, std::span<const index_pair> pairs,
                         bool side_b, std::vector<std::uint32_t> &in) {
   touched_rows out;
-  out.corners = kind.points;
+  out.corners = kind.points, out.fields = kind.fields;
   std::vector<std::uint32_t> row_of(elements.elements, no_element);
   const auto element = [&](const index_pair &p) { return side_b ? p.b : p.a; };
   for (const index_pair &p : pairs) {
@@ -36,37 +38,63 @@ touched_rows touched_by(const view &elements, const kind_info &kind, const pose 
   return out;
 }
 
+namespace {
+// By row, the first one with the same key.
+template <std::size_t N, class Key> std::vector<std::uint32_t> first_equal(std::size_t rows, const Key &key) {
+  numbered<std::uint32_t, N> keys(rows);
+  std::vector<std::uint32_t> first_of, out; // by key; by row
+  for (std::uint32_t i = 0; i < rows; ++i) {
+    const std::uint32_t k = keys.number(key(i));
+    if (k == first_of.size())
+      first_of.push_back(i);
+    out.push_back(first_of[k]);
+  }
+  return out;
+}
+} // namespace
+
 part_names::part_names(const touched_rows &of) : of_(of) {
+  if (of.corners == 0) {
+    first_ = first_equal<4>(of.elements.size(), [&](std::uint32_t i) {
+      const float *const ball = of.rows.data() + std::size_t{4} * i;
+      const auto centre = key_of_point(ball);
+      return std::array{centre[0], centre[1], centre[2], std::bit_cast<std::uint32_t>(ball[3] + 0.0F)};
+    });
+    return;
+  }
   const auto corners = static_cast<std::size_t>(of.corners);
   const std::size_t n = of.elements.size() * corners;
   numbered<std::uint32_t, 3> points(n);
   vertices_.reserve(n);
   for (std::size_t i = 0; i < n; ++i)
     vertices_.push_back(points.number(key_of_point(of.rows.data() + 3 * i)));
-  if (corners != 3)
-    return;
-  numbered<std::uint32_t, 3> faces(of.elements.size());
-  std::vector<std::uint32_t> first_of; // by face
-  for (std::uint32_t i = 0; i < of.elements.size(); ++i) {
-    std::array<std::uint32_t, 3> key{vertices_[3 * i], vertices_[3 * i + 1], vertices_[3 * i + 2]};
-    std::sort(key.begin(), key.end());
-    const std::uint32_t face = faces.number(key);
-    if (face == first_of.size())
-      first_of.push_back(i);
-    first_.push_back(first_of[face]);
-  }
+  if (corners == 3)
+    first_ = first_equal<3>(of.elements.size(), [&](std::uint32_t i) {
+      std::array<std::uint32_t, 3> key{vertices_[3 * i], vertices_[3 * i + 1], vertices_[3 * i + 2]};
+      std::sort(key.begin(), key.end());
+      return key;
+    });
+}
+
+std::array<std::uint32_t, 2> part_names::ends(std::uint32_t row, int edge) const {
+  const auto corners = static_cast<std::uint32_t>(of_.corners), first = static_cast<std::uint32_t>(edge - first_edge);
+  const std::uint32_t *const v = vertices_.data() + std::size_t{corners} * row;
+  return {v[first], v[(first + 1) % corners]};
+}
+bool part_names::runs_back(std::uint32_t row, int edge) const {
+  const auto [x, y] = ends(row, edge);
+  return x > y;
 }
 
 // Two bits for the dimension, and 31 for each of two numbers.
 std::uint64_t part_names::name(std::uint32_t row, int carrier) const {
-  const auto corners = static_cast<std::uint32_t>(of_.corners);
+  if (of_.corners == 0)
+    return std::uint64_t{carrier == in_ball ? 3U : 2U} << 62 | static_cast<std::uint64_t>(carrier) << 31 | first_[row];
   if (carrier == open_face)
     return std::uint64_t{2} << 62 | first_[row];
-  const std::uint32_t *const v = vertices_.data() + std::size_t{corners} * row;
   if (carrier < of_.corners)
-    return v[carrier];
-  const auto edge = static_cast<std::uint32_t>(carrier - first_edge);
-  const std::uint32_t x = v[edge], y = v[(edge + 1) % corners];
+    return vertices_[static_cast<std::size_t>(of_.corners) * row + static_cast<std::size_t>(carrier)];
+  const auto [x, y] = ends(row, carrier);
   return std::uint64_t{1} << 62 | std::uint64_t{std::min(x, y)} << 31 | std::max(x, y);
 }
 

@@ -10,18 +10,22 @@ namespace meetc {
 touched_rows touched_by(const view &elements, const kind_info &kind, const pose &at, std::span<const index_pair> pairs,
                         bool side_b, std::vector<std::uint32_t> &in);
 
-// The vertices of the rows, and the first row with the same three.
+// The vertices of the rows, and the first row with the same three, or with the same centre and radius.
 class part_names {
 public:
   explicit part_names(const touched_rows &of);
 
-  // Two parts of rows have one name if and only if they have the same vertices.
+  // Two parts of rows have one name if and only if they have the same vertices, or are the same part of equal balls.
   std::uint64_t name(std::uint32_t row, int carrier) const;
+  // Whether an edge runs from the later of its vertices to the earlier one. Edges with one name may run either way.
+  bool runs_back(std::uint32_t row, int edge) const;
 
 private:
   const touched_rows &of_;
   std::vector<std::uint32_t> vertices_; // of each row
-  std::vector<std::uint32_t> first_;    // by row: the first one with the same vertices
+  std::vector<std::uint32_t> first_;    // by row of a face or a ball: the first equal one
+
+  std::array<std::uint32_t, 2> ends(std::uint32_t row, int edge) const;
 };
 
 } // namespace meetc

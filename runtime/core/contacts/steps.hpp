@@ -1,4 +1,4 @@
-// core/contacts/steps.hpp: the two steps of contacts() that look at each pair, or each node, alone. The processor takes them,
+// core/contacts/steps.hpp: the steps of contacts() that look at each pair, or each node, alone. The processor takes them,
 // or a device; names and joining, which stand between and behind them, are the same code for both.
 #ifndef MEETC_CORE_CONTACTS_STEPS_HPP
 #define MEETC_CORE_CONTACTS_STEPS_HPP
@@ -15,6 +15,8 @@ public:
                           std::uint64_t *codes) = 0;
   // The coordinates of each node, of the same rows.
   virtual void place_nodes(std::span<const node_source> nodes, Real *points) = 0;
+  // The witness of each pair, which has this code.
+  virtual void place_witnesses(std::span<const index_pair> pairs, const std::uint64_t *codes, Real *points) = 0;
 };
 
 template <class Real> class steps_on_cpu final : public contact_steps<Real> {
@@ -23,6 +25,7 @@ public:
   void find_codes(const touched_rows &a, const touched_rows &b, std::span<const index_pair> pairs,
                   std::uint64_t *codes) override;
   void place_nodes(std::span<const node_source> nodes, Real *points) override;
+  void place_witnesses(std::span<const index_pair> pairs, const std::uint64_t *codes, Real *points) override;
 
 private:
   const predicate_info &by_;

@@ -21,10 +21,7 @@ template <class Real> class steps_there final : public contact_steps<Real> {
 public:
   steps_there(const device &on, const predicate_info &predicate, int threads, device_contact_work &work)
       : buffers_(on.buffers()), predicate_(predicate), by_(launchers_of(on.kernels(), predicate).pairs.contacts),
-        here_(predicate, threads), work_(work) {
-    if (!by_)
-      throw device_error(std::string("no CUDA kernel was generated for the contacts of ") + predicate.name);
-  }
+        here_(predicate, threads), work_(work) {}
 
   void find_codes(const touched_rows &a, const touched_rows &b, std::span<const index_pair> pairs,
                   std::uint64_t *codes) override {
@@ -55,6 +52,11 @@ public:
     });
     download(points, points_there, 3 * nodes.size());
     finish_places(nodes, points);
+  }
+
+  // Those with kernels have none.
+  void place_witnesses(std::span<const index_pair> pairs, const std::uint64_t *codes, Real *points) override {
+    here_.place_witnesses(pairs, codes, points);
   }
 
 private:
@@ -115,7 +117,7 @@ contact_set<Real> contacts(const device &on, const view &a, const view &b, const
                            std::span<const index_pair> pairs, const contact_options &options,
                            device_contact_work *work) {
   device_contact_work unasked;
-  if (!predicate.contacts) // as on the CPU
+  if (!predicate.contacts || !launchers_of(on.kernels(), predicate).pairs.contacts)
     return contacts<Real>(a, b, predicate, pairs, options);
   const auto lock = on.use();
   steps_there<Real> steps(on, predicate, options.threads, work ? *work : unasked);

@@ -67,7 +67,7 @@ const broken keys[] = {
     {"hit =", "contacts = 'sides'\nhit =", "a.toml:40:12",
      "no function 'sides'; functions: norm2, side, meet; did you mean 'side'?", "'sides'", ""},
     {"hit =", "contacts = 'norm2'\nhit =", "a.toml:40:12",
-     "'norm2' tells the contacts of touch and needs two arguments: the second operand, and a point", "'norm2'", ""},
+     "'norm2' tells the contacts of touch and needs two arguments: an operand, and a point", "'norm2'", ""},
 };
 
 const broken names[] = {

@@ -141,8 +141,18 @@ const broken orders[] = {
 };
 const broken contacts[] = {
     {"hit =", "contacts = 'side'\nhit =", "a.toml:40:12",
-     "contacts are found of elements of two or three points and those of three, and touch takes sphere and sphere",
+     "contacts are found of two or three points and three, and of a ball (a point, then its radius) and two points, "
+     "and "
+     "touch takes sphere and sphere",
      "'side'", "", "'touch'"},
+    {"hit =", "contacts = 'witness'\nhit =", "a.toml:40:12",
+     "touch must say whether a ball's inside belongs to it; write mode = 'solid' or mode = 'surface'", "'witness'", "",
+     "'touch'"},
+    {"['S: sphere', 'T: sphere']", "['S: segment', 'T: sphere']\ncontacts = 'witness'", "a.toml:40:12",
+     "a witness is placed for a ball (a point, then its radius) and a ball or three points, and touch takes segment "
+     "and "
+     "sphere",
+     "'witness'", "", "'touch'"},
     {"[kinds.segment]",
      "[kinds.triangle]\nstore = ['a: point', 'b: point', 'c: point']\nblade = 'a ^ b ^ c ^ n'\nhull = '[a, b, c]'\n"
      "[predicates.cross]\nof = ['s: segment', 't: triangle']\nhit = 'side(t, s.p) == 0'\ncontacts = 'meet'\n"

@@ -73,9 +73,50 @@ TEST_CASE("contacts as JSON have everything, and coordinates in float64 on reque
   }
 }
 
+TEST_CASE("contacts of spheres and segments, in either order") {
+  put("spheres.csv", "x,y,z,r\n5,5,5,1\n0,0,0,1\n");
+  put("lines.csv", "x0,y0,z0,x1,y1,z1\n0,0,0,2,2,0\n");
+  const json j = answer({"spheres.csv", "lines.csv", "--contacts", "c.csv"});
+  CHECK(j["contacts"]["nodes"] == 2);
+  CHECK(j["contacts"]["pieces"] == 1);
+  CHECK(j["contacts"]["witnesses"] == 0);
+  CHECK(get(at("c.csv")) == "a,b,node,x,y,z,on_a,on_b\n1,0,0,0,0,0,inside 1,vertex 0\n"
+                            "1,0,1,0.70710677,0.70710677,0,surface 1,edge 0 1\n");
+  CHECK(answer({"lines.csv", "spheres.csv", "--contacts", "c.csv"})["contacts"]["nodes"] == 2);
+  CHECK_THAT(get(at("c.csv")), meetc::test::contains("0,1,1,0.70710677,0.70710677,0,edge 0 1,surface 1\n"));
+  CHECK(answer({"spheres.csv", "lines.csv", "--mode", "surface", "--contacts", "c.obj"})["contacts"]["pieces"] == 0);
+  CHECK(get(at("c.obj")) == "v 0.70710677 0.70710677 0\np 1\n");
+}
+
+TEST_CASE("witnesses of spheres say that they are") {
+  put("ball.csv", "x,y,z,r\n0,0,0,1\n");
+  put("face.obj", "v 0.5 0 0\nv 2 1 0\nv 2 -1 0\nf 1 2 3\n");
+  const said s = run({"collide", "ball.csv", "face.obj", "--contacts", "c.csv"});
+  CHECK(s.code == 0);
+  CHECK_THAT(s.out, meetc::test::contains("contacts: 1 witness, one of each pair; "));
+  CHECK(get(at("c.csv")) == "a,b,node,x,y,z,on_a,on_b\n0,0,,0.5,0,0,witness,witness\n");
+  CHECK(answer({"ball.csv", "face.obj", "--contacts", "c.obj"})["contacts"]["witnesses"] == 1);
+  CHECK(get(at("c.obj")) == "# each point is a witness, one of its pair\nv 0.5 0 0\np 1\n");
+  CHECK(answer({"ball.csv", "face.obj", "--contacts", "c.ply"})["contacts"]["nodes"] == 0);
+  CHECK_THAT(get(at("c.ply")),
+             meetc::test::contains("comment each point is a witness, one of its pair\nelement vertex 1\n"));
+  CHECK(answer({"ball.csv", "face.obj", "--contacts", "c.json"})["pairs"] == 1);
+  const json j = json::parse(get(at("c.json")));
+  CHECK(j["witnesses"] == json::parse("[{\"pair\":0,\"at\":[0.5,0,0]}]"));
+  CHECK(j["nodes"].empty());
+  // One surface inside the other touches it in one point, beyond the greatest float32.
+  put("outer.csv", "x,y,z,r\n1.7014118e38,0,0,2.5521178e38\n");
+  put("inner.csv", "x,y,z,r\n2.5521178e38,0,0,1.7014118e38\n");
+  const said beyond = run({"collide", "inner.csv", "outer.csv", "--mode", "surface", "--contacts", "e.csv"});
+  CHECK(beyond.code != 0);
+  CHECK_THAT(beyond.err, meetc::test::contains("meet beyond the range of float32; write --contacts-float64 as well"));
+  CHECK(answer({"inner.csv", "outer.csv", "--mode", "surface", "--contacts", "e.csv", "--contacts-float64"})["pairs"] ==
+        1);
+}
+
 TEST_CASE("contacts that cannot be") {
   put_square_and_blade();
-  put("balls.csv", "x,y,z,r\n0,0,0,1\n");
+  put("edges.csv", "x0,y0,z0,x1,y1,z1\n0,0,0,2,2,0\n");
   const auto refused = [](std::vector<std::string> arguments, const char *message) {
     arguments.insert(arguments.begin(), "collide");
     const said s = run(arguments);
@@ -89,6 +130,6 @@ TEST_CASE("contacts that cannot be") {
   refused({"square.obj", "blade.obj", "--contacts", "c.obj", "--tolerance", "0.1"}, "go with no --tolerance");
   refused({"square.obj", "blade.obj", "--contacts-float64"}, "the file is missing");
   refused({"square.obj", "blade.obj", "--contacts", "square.obj"}, "is an input and would be overwritten");
-  refused({"balls.csv", "blade.obj", "--contacts", "c.obj"}, "ball_triangle has no contacts");
+  refused({"edges.csv", "edges.csv", "--contacts", "c.obj"}, "segment_segment has no contacts");
   CHECK_FALSE(fs::exists(at("c.txt")));
 }

@@ -22,6 +22,10 @@ public:
   MEETC_HD int limbs() const { return n_; }
   MEETC_HD std::uint64_t limb(int r, int i) const { return at_[r][i]; }
   MEETC_HD void set(int r, float v, int low) { to_limbs(v, low, n_, at_[r]); }
+  MEETC_HD void set(int r, std::uint64_t m) {
+    for (int i = 0; i < n_; ++i)
+      at_[r][i] = i == 0 ? m : 0;
+  }
   MEETC_HD void add(int r, int a, int b) { run(opcode::add, r, a, b); }
   MEETC_HD void subtract(int r, int a, int b) { run(opcode::subtract, r, a, b); }
   MEETC_HD void multiply(int r, int a, int b) { run(opcode::multiply, r, a, b); } // r is neither a nor b

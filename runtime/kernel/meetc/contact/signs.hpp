@@ -11,6 +11,27 @@
 
 MEETC_NAMESPACE(meetc) {
 
+// The value of an emitted sign, which is exact, under the standard word.
+template <class Sign> MEETC_HD int exact_sign(const float *a, const float *b) {
+  if (standard_environment()) {
+    const sign_set known = certify_sign_here<Sign, in_fp32>(after_check(a), after_check(b));
+    if (is_known(known))
+      return before_return(static_cast<int>(known_sign(known)));
+  }
+#if !defined(__CUDA_ARCH__)
+  return static_cast<int>(Sign::after_fp32(a, b));
+#else
+  return static_cast<int>(later_rungs_sign<Sign>(a, b));
+#endif
+}
+// Its value for small integers, which tells its convention.
+template <class Sign> MEETC_HD constexpr int sign_of_integers(const std::int64_t *a, const std::int64_t *b) {
+  std::int64_t value[1] = {0};
+  stage_values<typename Sign::common_stage>(a, b, value);
+  const sign s[1] = {value[0] > 0 ? sign::positive : value[0] < 0 ? sign::negative : sign::zero};
+  return static_cast<int>(Sign::value(s));
+}
+
 // How an emitted sign is told. `Side` is that of (triangle, point), a multiple of det.
 //
 // Exactly, under the standard word.
@@ -18,18 +39,7 @@ template <class Side> struct exact_sides {
   using side = Side;
 
   MEETC_HD static constexpr bool known() { return true; }
-  MEETC_HD static int tell(const float *triangle, const float *d) {
-    if (standard_environment()) {
-      const sign_set known = certify_sign_here<Side, in_fp32>(after_check(triangle), after_check(d));
-      if (is_known(known))
-        return before_return(static_cast<int>(known_sign(known)));
-    }
-#if !defined(__CUDA_ARCH__)
-    return static_cast<int>(Side::after_fp32(triangle, d));
-#else
-    return static_cast<int>(later_rungs_sign<Side>(triangle, d));
-#endif
-  }
+  MEETC_HD static int tell(const float *triangle, const float *d) { return exact_sign<Side>(triangle, d); }
 };
 // By floating-point numbers alone, which take few registers: what they leave unsure is told as 0, and no sign after it means
 // anything.
@@ -53,7 +63,8 @@ private:
 #else
   MEETC_NOINLINE
 #endif
-  MEETC_HD static sign_set sides(const float *triangle, const float *d) {
+      MEETC_HD static sign_set
+      sides(const float *triangle, const float *d) {
     using stage = typename Side::common_stage;
     sign_set s[1] = {sign_set::all()};
     if (!standard_environment())
@@ -94,10 +105,7 @@ private:
   // The sign of the factor, by a tetrahedron with det = 1.
   MEETC_HD static constexpr int convention() {
     const std::int64_t triangle[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, point[3] = {0, 0, 1};
-    std::int64_t value[1] = {0};
-    stage_values<typename emitted::common_stage>(triangle, point, value);
-    const sign s[1] = {value[0] > 0 ? sign::positive : value[0] < 0 ? sign::negative : sign::zero};
-    return static_cast<int>(emitted::value(s));
+    return sign_of_integers<emitted>(triangle, point);
   }
   static constexpr int factor = convention();
   static_assert(factor != 0, "the sign that tells contacts is not that of a plane and a point");
