@@ -19,7 +19,7 @@ std::string predicate_source(const emitted_predicate &p) {
   if (order)
     out += "#include <meetc/decide/first_met.hpp>\n";
   if (contacts)
-    out += "#include <meetc/contact/contact.hpp>\n";
+    out += "#include <meetc/contact/contact.hpp>\n#include <meetc/contact/winding.hpp>\n";
   for (const lower::kernel *const k : {order, contacts})
     if (k)
       out += fmt::format("\n#include <{}/{}.hpp>", space, k->asked.name());
@@ -44,7 +44,8 @@ std::string predicate_source(const emitted_predicate &p) {
       out +=
           fmt::format("  info.first_met = meetc::first_met<{}, {}_sign>;\n", p.name, identifier(order->asked.name()));
     if (contacts)
-      out += fmt::format("  info.contacts = meetc::guarded<meetc::contact_codes<{}_sign, {}>>;\n",
+      out += fmt::format("  info.contacts = meetc::guarded<meetc::contact_codes<{0}_sign, {1}>>;\n"
+                         "  info.winding = meetc::guarded<meetc::winding_part<{0}_sign>>;\n",
                          identifier(contacts->asked.name()), p.kernel.decision.inputs_a / 3);
     if (order || contacts)
       out += "  return info;\n";

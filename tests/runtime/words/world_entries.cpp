@@ -101,11 +101,14 @@ void call_world(caller &under) {
     world_options o;
     o.want = answer_kind::pairs;
     o.threads = 2;
+    o.nested = true;
     world_answer found;
     under([&] { found = w->touching(o); });
     under.add(found.near), under.add(found.candidates);
     for (const touching_bodies &t : found.touching)
       under.add(t.a), under.add(t.b), under.add_all(t.found.pairs);
+    for (const nested_bodies &n : found.nested)
+      under.add(n.a), under.add(n.b), under.add(n.how);
   }
   under([&] {
     under.add(w->size()), under.add(w->find("b").value_or(7)), under.add(w->at(0).m[0]);
