@@ -147,7 +147,9 @@ void add_answers(CLI::App &c, arguments &to) {
                "Write a.ply and b.ply with touched faces in bright colours into this folder")
       ->type_name("DIR");
   c.add_option("--image", q.image, "Write a picture in which touching elements stand out")->type_name("out.png");
-  c.add_flag("--fail-on-touch", q.fail_on_touch, "Exit with 1 where something touches")->disable_flag_override();
+  c.add_flag("--fail-on-touch", q.fail_on_touch,
+             "Exit with 1 where something touches; of many bodies, where one lies inside another too")
+      ->disable_flag_override();
   c.add_flag("--json", q.json, "Print one JSON object instead of the summary")->disable_flag_override();
   c.add_option("--threads", to.threads, "Threads; 0, the default, is all cores")->type_name("N");
 }

@@ -29,7 +29,7 @@ std::array<double, 12> matrix_of_quaternion(std::span<const double> v, const std
 
 } // namespace
 
-pose pose_of(std::span<const double> numbers, const std::string &where) {
+pose pose_of(std::span<const double> numbers, const std::string &where, bool float32) {
   if (numbers.size() != 7 && numbers.size() != 12 && numbers.size() != 16)
     throw failure(
         fmt::format("{}: {} numbers; a pose is a 3x4 or 4x4 matrix, or a position and a quaternion x,y,z,qw,qx,qy,qz",
@@ -40,7 +40,8 @@ pose pose_of(std::span<const double> numbers, const std::string &where) {
   const std::array<double, 12> m =
       numbers.size() == 7 ? matrix_of_quaternion(numbers, where) : matrix_of(numbers, where);
   std::copy_n(m.begin(), 12, p.m);
-  const std::optional<double> scale = io::similarity_scale(m);
+  const std::optional<double> scale =
+      io::similarity_scale(m, float32 ? io::similarity_slack_float32 : io::similarity_slack);
   if (!scale || !(*scale > 0))
     throw failure(fmt::format("{}: the matrix is no rotation with one scale, so this is no motion", where));
   p.length_scale = *scale;
