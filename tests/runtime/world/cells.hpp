@@ -118,6 +118,51 @@ inline cells box_of(cell from, cell to) {
   return cells().add(from, to);
 }
 
+inline int below(std::mt19937 &g, int n) {
+  return static_cast<int>(g() % static_cast<unsigned>(n));
+}
+inline lattice_map drawn_map(std::mt19937 &g) {
+  lattice_map m;
+  do
+    for (cell &row : m)
+      for (int &x : row)
+        x = below(g, 5) - 2;
+  while (determinant(m) == 0);
+  return m;
+}
+
+// Blocks of edge 4 with holes and cavities.
+inline cells drawn_blocks(std::mt19937 &g) {
+  cells out;
+  out.size = 4;
+  const int most = 40 + below(g, 60);
+  for (int x = 0; x < 3; ++x)
+    for (int y = 0; y < 3; ++y)
+      for (int z = 0; z < 3; ++z)
+        if (below(g, 100) < most)
+          out.add({x, y, z}, {x + 1, y + 1, z + 1});
+  if (below(g, 3) == 0)
+    out.add({0, 0, 0}, {3, 3, 3}).cut({1, 1, 1}, {2, 2, 2});
+  if (out.of.empty())
+    out.add({1, 1, 1}, {2, 2, 2});
+  return out;
+}
+// Small boxes among them, and hollow boxes around their cavities.
+inline cells drawn_boxes(std::mt19937 &g) {
+  cells out;
+  for (int n = 1 + below(g, 3) / 2; n > 0; --n) {
+    const cell from{below(g, 13) - 1, below(g, 13) - 1, below(g, 13) - 1};
+    out.add(from, {from[0] + 1 + below(g, 2), from[1] + 1 + below(g, 2), from[2] + 1 + below(g, 2)});
+  }
+  if (below(g, 4) == 0) {
+    const int thin = 1 + below(g, 3);
+    out = box_of({thin, thin, thin}, {12 - thin, 12 - thin, 12 - thin});
+    if (below(g, 2) == 0)
+      out.cut({thin + 1, thin + 1, thin + 1}, {11 - thin, 11 - thin, 11 - thin});
+  }
+  return out;
+}
+
 // The relation of two solids whose surfaces have no point in common, by counting cells; "touching" where they have.
 inline const char *relation_of(const cells &a, const cells &b) {
   const auto intersect = [](const std::set<cell> &x, const std::set<cell> &y) {

@@ -65,19 +65,6 @@ told relation_in(const triangles &a, const triangles &b) {
   return relation_in(shape_of(a.view()), shape_of(b.view()));
 }
 
-int below(std::mt19937 &g, int n) {
-  return static_cast<int>(g() % static_cast<unsigned>(n));
-}
-lattice_map drawn_map(std::mt19937 &g) {
-  lattice_map m;
-  do
-    for (cell &row : m)
-      for (int &x : row)
-        x = below(g, 5) - 2;
-  while (determinant(m) == 0);
-  return m;
-}
-
 // The least element with an edge that others do not balance, by a table of all edges.
 std::string open_at(const triangles &t) {
   using end = std::array<float, 3>;
@@ -98,38 +85,6 @@ std::string open_at(const triangles &t) {
       if (ways[edge(i, k)] != 0)
         return "element " + std::to_string(i);
   return "closed";
-}
-
-// Blocks of edge 4 with holes and cavities.
-cells drawn_blocks(std::mt19937 &g) {
-  cells out;
-  out.size = 4;
-  const int most = 40 + below(g, 60);
-  for (int x = 0; x < 3; ++x)
-    for (int y = 0; y < 3; ++y)
-      for (int z = 0; z < 3; ++z)
-        if (below(g, 100) < most)
-          out.add({x, y, z}, {x + 1, y + 1, z + 1});
-  if (below(g, 3) == 0)
-    out.add({0, 0, 0}, {3, 3, 3}).cut({1, 1, 1}, {2, 2, 2});
-  if (out.of.empty())
-    out.add({1, 1, 1}, {2, 2, 2});
-  return out;
-}
-// Small boxes among them, and hollow boxes around their cavities.
-cells drawn_boxes(std::mt19937 &g) {
-  cells out;
-  for (int n = 1 + below(g, 3) / 2; n > 0; --n) {
-    const cell from{below(g, 13) - 1, below(g, 13) - 1, below(g, 13) - 1};
-    out.add(from, {from[0] + 1 + below(g, 2), from[1] + 1 + below(g, 2), from[2] + 1 + below(g, 2)});
-  }
-  if (below(g, 4) == 0) {
-    const int thin = 1 + below(g, 3);
-    out = box_of({thin, thin, thin}, {12 - thin, 12 - thin, 12 - thin});
-    if (below(g, 2) == 0)
-      out.cut({thin + 1, thin + 1, thin + 1}, {11 - thin, 11 - thin, 11 - thin});
-  }
-  return out;
 }
 
 } // namespace
@@ -345,6 +300,10 @@ TEST_CASE("bodies in poses lie in one another as sets that were prepared there d
     CHECK(have == (a_around_b == 1 ? "b inside a" : "apart"));
     ++(a_around_b == 1 ? inside : apart);
   }
+  pose mirror = drawn(g, 0.2); // it turns a mesh inside out, which the sign of its winding number tells
+  for (const int i : {0, 4, 8})
+    mirror.m[i] = -mirror.m[i];
+  CHECK(relation_in(shapes[0], shapes[1], mirror, drawn(g, 0, 0.1)).why.ends_with(" -1 times"));
   CHECK(inside > 50);
   CHECK(apart > 50);
 }
