@@ -11,7 +11,7 @@ one with points and faces (PyVista), or a tuple (vertices, faces), which is prep
     pairs, count, touches, hits, counts   what touches, as a list, a number, a bool, flags or numbers for each element
     first                                 the triangle that a segment or a ray meets first
     over_poses                            one set against another one in many poses
-    World                                 many bodies that move, and which of them touch
+    World                                 many bodies that move, and which of them touch or lie inside others
     evaluate, formula, formulas           the values of a formula of the geometric algebra
     meetc.trimesh                         a CollisionManager with the signatures of trimesh's
 
@@ -26,7 +26,7 @@ from meetc._native import version as __version__
 from meetc._queries import count, counts, first, hits, over_poses, pairs, touches
 from meetc._set import Set
 from meetc._types import Formula, Kind, Meshlike, Precision, Rounded
-from meetc._world import World
+from meetc._world import Nested, World
 
 __all__ = [
     "Formula",
@@ -35,6 +35,7 @@ __all__ = [
     "MeetError",
     "MeetWarning",
     "Meshlike",
+    "Nested",
     "Precision",
     "Rounded",
     "RoundedWarning",
@@ -53,7 +54,7 @@ __all__ = [
     "touches",
 ]
 
-for _public in (InputError, MeetError, MeetWarning, RoundedWarning, Formula, Rounded, Set, World, evaluate, formula, formulas,
+for _public in (InputError, MeetError, MeetWarning, RoundedWarning, Formula, Nested, Rounded, Set, World, evaluate, formula, formulas,
                 count, counts, first, hits, over_poses, pairs, touches):
     _public.__module__ = __name__
 del _public
