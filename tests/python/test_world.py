@@ -76,6 +76,32 @@ class Worlds(unittest.TestCase):
         self.assertEqual(world.touching(), [("a", "b")])  # a is where it was
         self.assertEqual(world.over(poses[:, :, :3], ["a"]).dtype, np.bool_)
 
+    def test_bodies_inside_others(self):
+        world = World()
+        for name, radius, x in (("outer", 4, 0), ("middle", 2, 1), ("inner", 0.5, 0), ("beside", 1, 9)):
+            world.add(name, sphere_mesh(12, radius), at(x))
+        self.assertEqual(world.touching(), [])
+        self.assertEqual(world.nested().inside, [("middle", "outer"), ("inner", "outer"), ("inner", "middle")])
+        self.assertEqual(world.nested("middle").inside, [("middle", "outer"), ("inner", "middle")])
+        world.move("inner", at(8.75))
+        world.allow("outer", "middle")
+        self.assertEqual(world.nested(), ([("inner", "beside")], [], []))
+        vertices, faces = sphere_mesh(12)
+        world.add("open", (vertices, faces[1:]), at(-20))
+        world.add("turned", (vertices, faces[:, ::-1].copy()), at(-30))
+        world.add("seed", Set.spheres([[0, 0, 0], [10, 0, 0]], [0.25, 0.25]), at(-30))
+        unknown = world.nested().unknown
+        self.assertEqual([(a, b) for a, b, _ in unknown], [("open", "seed"), ("turned", "seed")])
+        self.assertIn("of open has an edge where the surface is open or not oriented", unknown[0][2])
+        self.assertEqual(unknown[1][2], "turned goes around element 0 of seed -1 times")
+        world.move("inner", at(100))
+        world.move("seed", at(8.5))
+        self.assertEqual(world.nested().overlapping, [("beside", "seed")])
+        for other in (World(mode="surface"), World(precision="fp32")):
+            with self.assertRaises(InputError) as caught:
+                other.nested()
+            self.assertIn("nested: ", str(caught.exception))
+
     def test_bodies_come_and_go(self):
         world = self.row()
         world.remove("b")

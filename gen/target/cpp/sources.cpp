@@ -12,23 +12,24 @@ std::string info_function(const lower::kernel &k) {
 
 namespace {
 
-// The header and the table's function that find contacts, by the sign if they take one; empty: there is none.
+// The header and the table's function that find contacts, by the sign if they take one, and the function that finds winding
+// numbers by it; empty: there is none.
 struct contacts_text {
   const char *header;
-  std::string function;
+  std::string function, winding;
 };
 contacts_text contacts_by(const emitted_predicate &p, const lower::kernel *sides) {
   const lang::predicate &asked = *p.kernel.asked.asked;
   const char *const surface = asked.mode == "surface" ? "true" : "false";
   if (asked.contacts == lang::one_witness && p.of.asks(lang::rung::certified))
-    return {"round_pair", fmt::format("witness_codes<{}, {}>", p.name, surface)};
+    return {"round_pair", fmt::format("witness_codes<{}, {}>", p.name, surface), ""};
   if (!sides)
-    return {"", ""};
+    return {"", "", ""};
   const std::string sign = identifier(sides->asked.name()) + "_sign";
   const int numbers = p.kernel.decision.inputs_a; // of the first operand: 4 are a ball
   if (numbers == 4)
-    return {"round_pair", fmt::format("ball_segment_codes<{}, {}>", sign, surface)};
-  return {"contact", fmt::format("contact_codes<{}, {}>", sign, numbers / 3)};
+    return {"round_pair", fmt::format("ball_segment_codes<{}, {}>", sign, surface), ""};
+  return {"contact", fmt::format("contact_codes<{}, {}>", sign, numbers / 3), fmt::format("winding_part<{}>", sign)};
 }
 
 } // namespace
@@ -38,12 +39,14 @@ std::string predicate_source(const emitted_predicate &p) {
   std::string out = banner(p.of.scene, fmt::format("The parts of {} that only few pairs need.", p.kernel.asked.text));
   const lower::kernel *const order = p.kernel.is_sign ? nullptr : order_of(p.of, p.kernel);
   const lower::kernel *const sides = p.kernel.is_sign ? nullptr : contacts_of(p.of, p.kernel);
-  const contacts_text contacts = p.kernel.is_sign ? contacts_text{"", ""} : contacts_by(p, sides);
+  const contacts_text contacts = p.kernel.is_sign ? contacts_text{"", "", ""} : contacts_by(p, sides);
   out += "#include <meetc/simd/table_functions.hpp>\n";
   if (order)
     out += "#include <meetc/decide/first_met.hpp>\n";
   if (!contacts.function.empty())
     out += fmt::format("#include <meetc/contact/{}.hpp>\n", contacts.header);
+  if (!contacts.winding.empty())
+    out += "#include <meetc/contact/winding.hpp>\n";
   for (const lower::kernel *const k : {order, sides})
     if (k)
       out += fmt::format("\n#include <{}/{}.hpp>", space, k->asked.name());
@@ -69,6 +72,8 @@ std::string predicate_source(const emitted_predicate &p) {
           fmt::format("  info.first_met = meetc::first_met<{}, {}_sign>;\n", p.name, identifier(order->asked.name()));
     if (!contacts.function.empty())
       out += fmt::format("  info.contacts = meetc::guarded<meetc::{}>;\n", contacts.function);
+    if (!contacts.winding.empty())
+      out += fmt::format("  info.winding = meetc::guarded<meetc::{}>;\n", contacts.winding);
     if (order || !contacts.function.empty())
       out += "  return info;\n";
     out += "}\n} // namespace detail\n";

@@ -17,17 +17,21 @@ void add_bodies(CLI::App &c, bodies_arguments &to) {
        "Collide the bodies that a file lists, with their poses and the pairs that may touch: {\"bodies\": [{\"name\", "
        "\"file\", \"pose\"}], \"allow\": [[\"arm\", \"tool\"]]}")
       ->type_name("cell.json");
-  c.add_option("--poses", to.poses,
-               "Move the bodies frame by frame: rows of frame,body and a 3x4 matrix m00,..,m23, or x,y,z,qw,qx,qy,qz")
-      ->type_name("poses.csv");
+  c.add_option(
+       "--poses", to.poses,
+       "Move the bodies frame by frame: rows of frame,body and a 3x4 matrix m00,..,m23, or x,y,z,qw,qx,qy,qz; or an "
+       "array (frames, bodies, 4, 4) of NumPy")
+      ->type_name("poses.csv|npy");
   c.add_option("--allow", to.allowed, "A pair of bodies that may touch, such as arm,tool or floor,*; may be repeated")
       ->allow_extra_args(false)
       ->type_name("NAME,NAME");
+  c.add_option("--srdf", to.srdf, "The pairs of links that may touch, by disable_collisions of a robot's SRDF file")
+      ->type_name("robot.srdf");
   c.add_option("--only", to.only, "Ask about this pair of bodies alone, such as arm,*")->type_name("NAME,NAME");
 }
 
 void require_fit(const CLI::App &c, bool many) {
-  constexpr const char *of_many[] = {"--world", "--poses", "--allow", "--only"};
+  constexpr const char *of_many[] = {"--world", "--poses", "--allow", "--srdf", "--only"};
   constexpr const char *of_both[] = {
       "A",       "B",      "C",         "--mode",          "--precision",       "--any",
       "--pairs", "--json", "--threads", "--fail-on-touch", "--instruction-set", "--device"};
@@ -48,7 +52,7 @@ bodies_request bodies_named(const bodies_arguments &given, const std::filesystem
   if (given.world && !a.empty())
     throw failure(fmt::format("{}: --world lists all bodies; name the file there", a.string()));
   bodies_request q;
-  q.world = given.world, q.poses = given.poses;
+  q.world = given.world, q.poses = given.poses, q.srdf = given.srdf;
   q.files = {a, b};
   q.files.insert(q.files.end(), given.more.begin(), given.more.end());
   for (const std::string &text : given.allowed)

@@ -17,7 +17,7 @@ namespace meetc::app {
 
 // The options' values as they are on the command line.
 struct bodies_arguments {
-  std::optional<std::filesystem::path> world, poses;
+  std::optional<std::filesystem::path> world, poses, srdf;
   std::vector<std::filesystem::path> more; // after A and B
   std::vector<std::string> allowed;
   std::optional<std::string> only;

@@ -130,7 +130,8 @@ void add_answers(CLI::App &c, arguments &to) {
       ->type_name("out.csv");
   c.add_option(
        "--contacts", q.contacts,
-       "Write where the pairs of triangles, of segments and triangles, or of spheres and segments, meet: .csv, a row for "
+       "Write where the pairs of triangles, of segments and triangles, or of spheres and segments, meet: .csv, a row "
+       "for "
        "each corner of a pair's contact; .obj or .ply, polylines and flat polygons; .json, all of it. Each coordinate "
        "is the exact one, rounded once to float32. Other pairs of spheres get a witness each, a point of both")
       ->type_name("out.csv|obj|ply|json");
@@ -147,7 +148,9 @@ void add_answers(CLI::App &c, arguments &to) {
                "Write a.ply and b.ply with touched faces in bright colours into this folder")
       ->type_name("DIR");
   c.add_option("--image", q.image, "Write a picture in which touching elements stand out")->type_name("out.png");
-  c.add_flag("--fail-on-touch", q.fail_on_touch, "Exit with 1 where something touches")->disable_flag_override();
+  c.add_flag("--fail-on-touch", q.fail_on_touch,
+             "Exit with 1 where something touches; of many bodies, where one lies inside another too")
+      ->disable_flag_override();
   c.add_flag("--json", q.json, "Print one JSON object instead of the summary")->disable_flag_override();
   c.add_option("--threads", to.threads, "Threads; 0, the default, is all cores")->type_name("N");
 }

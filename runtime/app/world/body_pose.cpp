@@ -40,7 +40,7 @@ pose pose_of(std::span<const double> numbers, const std::string &where) {
   const std::array<double, 12> m =
       numbers.size() == 7 ? matrix_of_quaternion(numbers, where) : matrix_of(numbers, where);
   std::copy_n(m.begin(), 12, p.m);
-  const std::optional<double> scale = io::similarity_scale(m);
+  const std::optional<double> scale = io::similarity_scale(m, io::similarity_slack_float32);
   if (!scale || !(*scale > 0))
     throw failure(fmt::format("{}: the matrix is no rotation with one scale, so this is no motion", where));
   p.length_scale = *scale;

@@ -16,7 +16,7 @@ namespace meetc::app {
 struct bodies_request {
   std::vector<std::filesystem::path> files;   // bodies that stand as they are, or
   std::optional<std::filesystem::path> world; // a file that lists bodies
-  std::optional<std::filesystem::path> poses;
+  std::optional<std::filesystem::path> poses, srdf;
   std::vector<name_pair> allowed;
   std::optional<name_pair> only;
   std::string mode = "solid";
@@ -29,7 +29,7 @@ struct bodies_request {
 
 struct bodies_report {
   std::string text;
-  bool touch = false; // in some frame
+  bool touch = false; // in some frame, or a body lies inside another
 };
 
 // Writes the requested files. Throws io::error.

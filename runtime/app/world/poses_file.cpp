@@ -3,6 +3,7 @@
 #include "meet/app/input/failure.hpp"
 #include "meet/app/text/nearest.hpp"
 #include "meet/app/world/body_pose.hpp"
+#include "meet/app/world/npy_file.hpp"
 #include "meet/io/files/file_bytes.hpp"
 #include "meet/io/text/number.hpp"
 #include "meet/io/text/text.hpp"
@@ -38,10 +39,36 @@ bool next(io::line_reader &lines, std::string_view &line) {
   return false;
 }
 
+std::vector<frame> frames_of(const npy_array &array, const std::string &file, const std::vector<std::string> &names) {
+  const std::vector<std::uint64_t> &shape = array.shape();
+  const std::size_t lead = shape.size() == 4 ? 1 : 0;
+  if (shape.size() != lead + 3 || shape[lead] != names.size() || shape[lead + 1] != 4 || shape[lead + 2] != 4)
+    throw io::error(fmt::format("{0}: its shape is {1}; for {2} bodies it is (frames, {2}, 4, 4) or ({2}, 4, 4)", file,
+                                in_words(shape), names.size()));
+  if (array.size() == 0)
+    throw io::error(fmt::format("{}: it has no frame", file));
+  std::vector<frame> out;
+  std::uint64_t place = 0;
+  for (std::uint64_t f = 0; f < (lead == 1 ? shape[0] : 1); ++f) {
+    out.push_back({lead == 1 ? fmt::format("{}", f) : "", {}});
+    for (std::uint32_t body = 0; body < names.size(); ++body) {
+      double numbers[16];
+      for (double &x : numbers)
+        x = array[place++];
+      const std::string where =
+          fmt::format("{}: {}body {}", file, lead == 1 ? fmt::format("frame {}, ", f) : "", names[body]);
+      out.back().moved.emplace_back(body, pose_of(numbers, where));
+    }
+  }
+  return out;
+}
+
 } // namespace
 
 std::vector<frame> read_poses(const std::filesystem::path &path, const std::vector<std::string> &names) {
   const io::file_bytes bytes = io::load_file(path);
+  if (npy_array::is_one(bytes.text()))
+    return frames_of(npy_array(bytes.text(), bytes.name), bytes.name, names);
   io::line_reader lines(bytes.text(), bytes.name);
   std::string_view line;
   if (!next(lines, line))

@@ -39,6 +39,8 @@ void device_world::place(std::uint32_t number) {
 
 world_answer device_world::ask(const world_options &options) {
   const auto start = clock::now();
+  if (options.nested)
+    static_cast<void>(of_.nested({}, options)); // whether it may be asked
   const std::vector<near_bodies> pairs = of_.near(options.of);
   bodies_.resize(of_.size());
   for (const near_bodies &p : pairs)
@@ -47,6 +49,7 @@ world_answer device_world::ask(const world_options &options) {
   world_answer out;
   out.near = pairs.size();
   out.pose_seconds = seconds_since(start);
+  std::vector<near_bodies> apart;
   auto next = clock::now();
   for (std::size_t i = 0; i < pairs.size() && !(options.first && !out.touching.empty()); ++i) {
     if (options.progress && clock::now() >= next) {
@@ -62,7 +65,11 @@ world_answer device_world::ask(const world_options &options) {
     out.candidates += r.candidates;
     if (r.count > 0)
       out.touching.push_back(p.told(std::move(r)));
+    else
+      apart.push_back(p);
   }
+  if (options.nested && !(options.first && !out.touching.empty()))
+    out.nested = of_.nested(apart, options);
   out.collide_seconds = seconds_since(start) - out.pose_seconds;
   return out;
 }

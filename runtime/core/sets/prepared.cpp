@@ -2,6 +2,7 @@
 
 #include "meet/core/sets/normalised.hpp"
 #include "meet/core/sets/posed_blocks.hpp"
+#include "meet/core/sets/topology.hpp"
 #include "meet/core/threads/threads.hpp"
 
 #include <algorithm>
@@ -40,6 +41,9 @@ stored_rows *prepared::stored(const stored_values &values, const kind_info &of) 
 std::shared_ptr<const normalised_set> prepared::normalised(int power) const {
   return under_standard_word([&] { return normalised_->of(*set_, power); });
 }
+const set_topology &prepared::topology() const {
+  return under_standard_word([&]() -> const set_topology & { return topology_->of(*set_); });
+}
 
 prepared prepared::of(const view &elements, const kind_info &kind, const pose &at, int threads,
                       const prepared *counterpart) {
@@ -67,6 +71,7 @@ prepared prepared::of(const view &elements, const kind_info &kind, const pose &a
   p.counterpart_ = counterpart ? counterpart->number_ : 0;
   p.stored_ = std::make_unique<stored_table>(kind);
   p.normalised_ = std::make_unique<normalisation>();
+  p.topology_ = std::make_unique<kept_topology>();
   return p;
 }
 
@@ -107,6 +112,7 @@ prepared prepared::of(const prepared &body, const pose &at, std::span<const box>
   p.counterpart_ = several;
   p.stored_ = std::make_unique<stored_table>(kind);
   p.normalised_ = std::make_unique<normalisation>();
+  p.topology_ = std::make_unique<kept_topology>();
   return p;
 }
 

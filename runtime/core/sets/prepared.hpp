@@ -26,6 +26,8 @@ public:
 struct box;
 struct element_set;
 struct normalised_set;
+struct set_topology;
+class kept_topology;
 class normalisation;
 class stored_rows;
 class stored_table;
@@ -54,6 +56,8 @@ public:
   stored_rows *stored(const stored_values &values, const kind_info &of) const;
   // The set times 2^power; null where it is not to be had (core/sets/normalised.hpp).
   std::shared_ptr<const normalised_set> normalised(int power) const;
+  // The set is whole. Found when first asked for (core/sets/topology.hpp).
+  const set_topology &topology() const;
 
   prepared(); // holds nothing
 
@@ -69,6 +73,7 @@ private:
   std::unique_ptr<element_set> set_;
   std::unique_ptr<stored_table> stored_;
   std::unique_ptr<normalisation> normalised_;
+  std::unique_ptr<kept_topology> topology_;
 };
 
 // Copies the elements in the pose, on this number of threads (0: all cores). A set without elements is allowed. With

@@ -3,6 +3,7 @@
 #include "meet/core/answers/pair_list.hpp"
 #include "meet/core/sets/posed_blocks.hpp"
 #include "meet/core/threads/threads.hpp"
+#include "meet/core/world/nesting.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -48,6 +49,15 @@ std::vector<box> parts_of(const element_set &set, const pose &at) {
   for (std::size_t i = 0; i < set.boxes.levels[level].boxes; ++i)
     out.push_back(posed_box(at, set.boxes.levels[level].get(i), set.longest));
   return out;
+}
+
+// The winding number of a kind's elements, or null where none is generated.
+auto winding_of(const catalogue &all, const kind_info &kind) {
+  decltype(predicate_info::winding) found = nullptr;
+  for (int i = 0; i < all.predicate_count && !found; ++i)
+    if (all.predicates[i].b == &kind)
+      found = all.predicates[i].winding;
+  return found;
 }
 
 void require_movable(const std::string &name, const kind_info &kind, const pose &at) {
@@ -181,9 +191,47 @@ result world::collide_pair(const near_bodies &p, std::span<const prepared> shape
   return collide(shapes[p.first()], shapes[p.second()], *p.by.predicate, options.precision, of_pair);
 }
 
+void world::require_nesting(const world_options &options) const {
+  if (mode_ != "solid")
+    throw std::invalid_argument("nested: in the mode " + mode_ + " no body has an inside");
+  if (!never_wrong(options.precision))
+    throw std::invalid_argument("nested: it is told of bodies that do not touch for certain: exact or certified");
+  for (int i = 0; i < all_.kind_count; ++i)
+    if (winding_of(all_, all_.kinds[i]))
+      return;
+  throw std::invalid_argument("nested: the catalogue has no winding number");
+}
+
+std::vector<nested_bodies> world::nested(std::span<const near_bodies> apart, const world_options &options) const {
+  return under_standard_word([&] {
+    require_nesting(options);
+    return nested_pairs(apart, options.first, thread_count(options.threads));
+  });
+}
+
+std::vector<nested_bodies> world::nested_pairs(std::span<const near_bodies> apart, bool first, int threads) const {
+  std::vector<std::optional<nesting_found>> found(apart.size());
+  for_chunks(threads, apart.size(), 1, [&](int, std::size_t i, std::size_t) {
+    const entry &a = bodies_[apart[i].a], &b = bodies_[apart[i].b];
+    found[i] = nesting_of({a.name, *a.shape, a.at, a.owners, winding_of(all_, a.shape->kind())},
+                          {b.name, *b.shape, b.at, b.owners, winding_of(all_, b.shape->kind())});
+  });
+  std::vector<nested_bodies> out;
+  for (std::size_t i = 0; i < apart.size(); ++i) {
+    if (!found[i])
+      continue;
+    out.push_back({apart[i].a, apart[i].b, found[i]->how, std::move(found[i]->why)});
+    if (first && out.back().how != nesting::unknown)
+      break;
+  }
+  return out;
+}
+
 world_answer world::ask(const world_options &options) const {
   const auto start = clock::now();
   const int threads = thread_count(options.threads);
+  if (options.nested)
+    require_nesting(options);
   const std::vector<box> bounds = this->bounds();
   const std::vector<near_bodies> pairs = near_pairs(bounds, options.of);
   std::vector<prepared> shapes;
@@ -200,6 +248,7 @@ world_answer world::ask(const world_options &options) const {
   // ended, so that the first to touch is the same for any number of threads.
   const bool together = pairs.size() >= 2 * static_cast<std::size_t>(threads);
   std::mutex lock;
+  std::vector<std::uint8_t> touch(pairs.size(), 0);
   chunk_counter counter(pairs.size(), 1);
   auto next = clock::now();
   auto body = [&](int worker) {
@@ -213,6 +262,7 @@ world_answer world::ask(const world_options &options) const {
       out.candidates += r.candidates;
       if (r.count == 0)
         continue;
+      touch[i] = 1;
       out.touching.push_back(pairs[i].told(std::move(r)));
       if (options.first)
         counter.close();
@@ -222,6 +272,13 @@ world_answer world::ask(const world_options &options) const {
   std::ranges::sort(out.touching, {}, [](const touching_bodies &t) { return std::pair(t.a, t.b); });
   if (options.first && out.touching.size() > 1)
     out.touching.resize(1);
+  if (options.nested && !(options.first && !out.touching.empty())) {
+    std::vector<near_bodies> apart;
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      if (touch[i] == 0)
+        apart.push_back(pairs[i]);
+    out.nested = nested_pairs(apart, options.first, threads);
+  }
   const std::scoped_lock hold(*lock_);
   spare_ = std::move(shapes);
   out.collide_seconds = seconds_since(start) - out.pose_seconds;

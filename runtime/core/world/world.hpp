@@ -28,8 +28,11 @@ struct world_options {
   rung precision = rung::certified;
   std::span<const std::uint32_t> of = {}; // only pairs of one of these bodies and another one; empty: all
   bool first = false;                     // stop at the first pair of bodies that touches: of all of them the least
-  int threads = 0;                        // 0: all cores
-  float box = 0;                          // as collide_options::box
+  // Also tell of two bodies near each other that do not touch whether one lies inside the other. With `first`, only where
+  // nothing touches, up to the first two of which it is known.
+  bool nested = false;
+  int threads = 0;                                    // 0: all cores
+  float box = 0;                                      // as collide_options::box
   std::function<void(double fraction)> progress = {}; // on the calling thread, about ten times a second
 };
 
@@ -39,8 +42,24 @@ struct touching_bodies {
   result found;
 };
 
+// How the one of two bodies that do not touch lies in the other.
+enum class nesting : std::uint8_t {
+  a_inside_b, // all of a
+  b_inside_a,
+  overlapping, // a part of one lies inside the other, and neither lies inside the other as a whole
+  unknown
+};
+
+// The two, a < b.
+struct nested_bodies {
+  std::uint32_t a, b;
+  nesting how;
+  std::string why; // of unknown
+};
+
 struct world_answer {
   std::vector<touching_bodies> touching; // sorted by a, then b
+  std::vector<nested_bodies> nested;     // likewise; of bodies that are apart there is none
   std::uint64_t near = 0;                // pairs of bodies whose bounds touch and that are not ignored
   std::uint64_t candidates = 0;          // pairs of elements that were decided
   double pose_seconds = 0, collide_seconds = 0;
@@ -83,11 +102,14 @@ public:
   std::optional<std::uint32_t> find(std::string_view name) const;
 
   // Throws std::invalid_argument where no predicate fits two bodies that are near each other, or is not generated for the
-  // precision; std::out_of_range for a body of options.of that is not there; input_error where an element is not finite in its
+  // precision, or `nested` is asked in the mode "surface", for a precision that may be wrong or of a catalogue without winding
+  // numbers; std::out_of_range for a body of options.of that is not there; input_error where an element is not finite in its
   // pose, or breaks a rule of its kind there; std::bad_alloc.
   world_answer touching(const world_options &options = {}) const;
   // The pairs of bodies that touching() decides, sorted by a, then b. of: as in the options. Throws likewise.
   std::vector<near_bodies> near(std::span<const std::uint32_t> of = {}) const;
+  // The part of touching() with `nested`, for those of these that do not touch. Throws likewise.
+  std::vector<nested_bodies> nested(std::span<const near_bodies> apart, const world_options &options) const;
 
 private:
   struct entry {
@@ -103,6 +125,8 @@ private:
                    std::vector<prepared> &shapes) const;
   result collide_pair(const near_bodies &p, std::span<const prepared> shapes, const world_options &options,
                       int threads) const;
+  std::vector<nested_bodies> nested_pairs(std::span<const near_bodies> apart, bool first, int threads) const;
+  void require_nesting(const world_options &options) const;
   world_answer ask(const world_options &options) const;
 
   const catalogue &all_;

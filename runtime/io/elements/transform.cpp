@@ -50,7 +50,7 @@ std::array<double, 3> moved_point(const transform &by, std::array<double, 3> p) 
   return p;
 }
 
-std::optional<double> scale_of(const std::array<double, 12> &matrix) {
+std::optional<double> scale_of(const std::array<double, 12> &matrix, double within) {
   double most = 0;
   for (std::size_t i = 0; i < 12; ++i)
     if (i % 4 < 3)
@@ -66,7 +66,7 @@ std::optional<double> scale_of(const std::array<double, 12> &matrix) {
     };
     return (at(0, i) * at(0, j) + at(1, i) * at(1, j)) + at(2, i) * at(2, j);
   };
-  const double length2 = dot(0, 0), slack = 0x1p-48 * length2;
+  const double length2 = dot(0, 0), slack = within * length2;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = i; j < 3; ++j)
       if (!(std::abs(dot(i, j) - (i == j ? length2 : 0)) <= slack))
@@ -100,7 +100,7 @@ public:
                                 file, plural_of(kind.name), f + 1));
       if (!move.matrix)
         continue;
-      const std::optional<double> scale = scale_of(*move.matrix);
+      const std::optional<double> scale = scale_of(*move.matrix, similarity_slack);
       if (!scale)
         throw error(fmt::format("{}: {} is no similarity (columns equally long and at right angles), so the {} have "
                                 "no radius under it",
@@ -210,8 +210,8 @@ std::array<double, 3> transform::point(std::array<double, 3> p) const {
   return under_standard_word([&] { return moved_point(*this, p); });
 }
 
-std::optional<double> similarity_scale(const std::array<double, 12> &matrix) {
-  return under_standard_word([&] { return scale_of(matrix); });
+std::optional<double> similarity_scale(const std::array<double, 12> &matrix, double slack) {
+  return under_standard_word([&] { return scale_of(matrix, slack); });
 }
 
 std::optional<misplaced> move_set(element_set &set, const transform &move, const std::string &file, int threads) {

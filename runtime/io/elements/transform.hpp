@@ -32,11 +32,14 @@ struct transform {
   std::array<double, 3> point(std::array<double, 3> p) const;
 };
 
+// Sixteen units in the last place of a double, which decimals with 17 digits and a product of some rotations computed in double
+// satisfy; and of a float.
+inline constexpr double similarity_slack = 0x1p-48, similarity_slack_float32 = 0x1p-19;
+
 // The factor by which a matrix scales lengths if it is a similarity, perhaps with a rotation or a reflection: its
-// columns have equal lengths and right angles, to 2^-48 of their squared length (sixteen units in the last place, which
-// decimals with 17 digits and a product of some rotations computed in double satisfy). The result is the length of the
+// columns have equal lengths and right angles, to `slack` of their squared length. The result is the length of the
 // first column, sqrt((m00*m00 + m10*m10) + m20*m20) in double. None for any other matrix.
-std::optional<double> similarity_scale(const std::array<double, 12> &matrix);
+std::optional<double> similarity_scale(const std::array<double, 12> &matrix, double slack = similarity_slack);
 
 // A number that a transform moved out of float32.
 struct misplaced {

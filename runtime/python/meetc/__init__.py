@@ -14,7 +14,7 @@ one with points and faces (PyVista), or a tuple (vertices, faces), which is prep
     first, hit_points                     the triangle that a segment or a ray meets first, and where; all points of hits
     over_poses                            one set against another one in many poses
     DeviceSet, devices                    arrays that lie on a CUDA device, in a build with CUDA
-    World                                 many bodies that move, and which of them touch
+    World                                 many bodies that move, and which of them touch or lie inside others
     evaluate, formula, formulas           the values of a formula of the geometric algebra
     meetc.trimesh                         a CollisionManager with the signatures of trimesh's
 
@@ -33,7 +33,7 @@ from meetc._queries import count, counts, hits, over_poses, pairs, touches
 from meetc._self import self_pairs
 from meetc._set import Set
 from meetc._types import Formula, Kind, Meshlike, OnDevice, Precision, Rounded
-from meetc._world import World
+from meetc._world import Nested, World
 
 __all__ = [
     "Contacts",
@@ -47,6 +47,7 @@ __all__ = [
     "MeetError",
     "MeetWarning",
     "Meshlike",
+    "Nested",
     "OnDevice",
     "Precision",
     "Rounded",
@@ -71,7 +72,7 @@ __all__ = [
 ]
 
 for _public in (DeviceError, DeviceSet, InputError, MeetError, MeetWarning, RoundedWarning, Contacts, Formula, HitPoints,
-                Lines, Rounded, Set, World, contacts, devices, evaluate, formula, formulas, count, counts, first,
+                Lines, Nested, Rounded, Set, World, contacts, devices, evaluate, formula, formulas, count, counts, first,
                 hit_points, hits, over_poses, pairs, self_pairs, touches):
     _public.__module__ = __name__
 del _public

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable
-from typing import Any, Literal
+from typing import Any, Literal, TypeVar
 
 from meetc import _native
 from meetc._errors import InputError
@@ -13,6 +13,7 @@ from meetc._types import Doubles, Ints
 Want = Literal["any", "count", "pairs"]
 # Two keys, the body that was added earlier first, and the number of their pairs, of elements of the one and the other.
 Touching = list[tuple[Any, Any, int, Ints]]
+Answer = TypeVar("Answer")
 
 
 class Bodies:
@@ -47,13 +48,22 @@ class Bodies:
         want: "any" is one such pair, or none; "count" has the numbers of pairs of elements, and "pairs" these too.
         """
         keys = list(self.sets)
+        found = self._ask(lambda world: world.touching([keys.index(key) for key in of], precision, want, threads))
+        return [(keys[a], keys[b], count, pairs) for a, b, count, pairs in found]
+
+    def nested(self, of: Iterable[Hashable], precision: str, threads: int) -> list[tuple[Any, Any, str, str]]:
+        """Two bodies that do not touch, how the one lies in the other, and the reason where that is unknown."""
+        keys = list(self.sets)
+        found = self._ask(lambda world: world.nested([keys.index(key) for key in of], precision, threads))
+        return [(keys[a], keys[b], how, why) for a, b, how, why in found]
+
+    def _ask(self, question: Callable[[_native.World], Answer]) -> Answer:
         try:
             if self._native is None:
-                self._native = self._made(keys)
-            found = self._native.touching([keys.index(key) for key in of], precision, want, threads)
+                self._native = self._made(list(self.sets))
+            return question(self._native)
         except (_native.Fault, ValueError) as error:
             raise InputError(str(error)) from None
-        return [(keys[a], keys[b], count, pairs) for a, b, count, pairs in found]
 
     def _made(self, keys: list[Hashable]) -> _native.World:
         made, names = _native.World(self._mode), set[str]()

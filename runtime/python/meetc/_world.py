@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Literal, get_args
+from typing import Literal, NamedTuple, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -29,6 +29,14 @@ def pose_of(shape: Set, pose: ArrayLike | None) -> Doubles:
     return _IDENTITY if shape._pose is None else shape._pose
 
 
+class Nested(NamedTuple):
+    """Bodies that do not touch, of which one lies inside the other; see World.nested()."""
+
+    inside: list[tuple[str, str]]  #: the inner body, and the outer one
+    overlapping: list[tuple[str, str]]  #: a part of one lies inside the other, another part of it does not
+    unknown: list[tuple[str, str, str]]  #: two bodies, and why it is unknown
+
+
 class World:
     """Bodies with names and poses, and which of them touch.
 
@@ -40,7 +48,7 @@ class World:
 
     A body's set is prepared once; moving it costs nothing until something is asked, and then only the elements that come near
     another body are moved. Answers are those of sets that were prepared in the poses. Meshes are surfaces: a body inside
-    another one does not touch it. Spheres are balls, or in a World(mode="surface") their surfaces.
+    another one does not touch it; nested() tells of it. Spheres are balls, or in a World(mode="surface") their surfaces.
 
     Several threads may use a world; they take turns.
     """
@@ -107,6 +115,27 @@ class World:
         if name is not None:
             self._require(name)
         return [(a, b) for a, b, _, _ in self._ask("count", () if name is None else (name,))]
+
+    def nested(self, name: str | None = None) -> Nested:
+        """The bodies that lie inside a closed mesh without touching it; with a name, those of its pairs.
+
+        A mesh holds the points around which it goes once, by its winding number: its normals point outwards, those of a cavity
+        into the cavity. Where a mesh is open, or goes around a point some other number of times, it is unknown. The answer is
+        exact. A mesh alone holds other bodies, and they may be of any kind.
+        """
+        if name is not None:
+            self._require(name)
+        with self._lock:
+            found = self._bodies.nested(() if name is None else (name,), self._precision, self._threads)
+        out = Nested([], [], [])
+        for a, b, how, why in found:
+            if how == "unknown":
+                out.unknown.append((a, b, why))
+            elif how == "overlapping":
+                out.overlapping.append((a, b))
+            else:
+                out.inside.append((a, b) if how == "a inside b" else (b, a))
+        return out
 
     def any(self) -> bool:
         """Whether any two bodies touch. The search ends at the first that are found."""

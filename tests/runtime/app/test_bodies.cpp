@@ -121,6 +121,59 @@ TEST_CASE("any stops, and a touch may be a failure") {
   CHECK(run({"collide", "cube.ply", "ball.csv", "--fail-on-touch"}).code == 0);
 }
 
+TEST_CASE("a body inside another is told, and is a touch to those who must not have one") {
+  put_files();
+  put("dust.csv", "x,y,z,r\n0.25,0,0,0.125\n3,0,0,0.125\n");
+  meetc::bodies::mesh open = meetc::bodies::block(4, 4, 4, 0);
+  const std::set<std::uint32_t> lost(open.index.end() - 3, open.index.end());
+  open.index.resize(open.index.size() - 3);
+  std::size_t beside = 0; // the first face that had an edge of the lost one
+  while (lost.contains(open.index[3 * beside]) + lost.contains(open.index[3 * beside + 1]) +
+             lost.contains(open.index[3 * beside + 2]) <
+         2)
+    ++beside;
+  put_mesh("crate.ply", meetc::bodies::block(4, 4, 4, 0));
+  put_mesh("open.ply", open);
+  const std::vector<std::string> three_in{"crate.ply", "cube.ply", "dust.csv"};
+  const json all = answer(three_in);
+  const json &frame = all["frames"][0];
+  CHECK(touching(all).empty());
+  CHECK(frame["inside"] == json::parse(R"([{"inner": "cube", "outer": "crate"}])"));
+  CHECK(frame["overlapping"] == json::parse(R"([{"a": "crate", "b": "dust"}, {"a": "cube", "b": "dust"}])"));
+  CHECK(frame["unknown"].empty());
+  const auto run_with = [&](std::vector<std::string> words, const std::vector<std::string> &more) {
+    words.insert(words.begin(), "collide");
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words);
+  };
+  CHECK(has(run_with(three_in, {}).out, "cube inside crate, crate - dust (overlap, no surfaces touch)"));
+  CHECK(run_with(three_in, {}).code == 0);
+  CHECK(run_with(three_in, {"--fail-on-touch"}).code == 1);
+  CHECK(run_with(three_in, {"--fail-on-touch", "--allow", "crate,*", "--allow", "cube,dust"}).code == 0);
+  CHECK(has(run_with(three_in, {"--any"}).out, "\ncube inside crate\n"));
+  CHECK(run_with(three_in, {"--any", "--fail-on-touch"}).code == 1);
+
+  // A touch comes before all that lie inside, and a surface holds nothing; nor is anything told where pairs may be wrong.
+  CHECK(touching(answer({"crate.ply", "cube.ply", "cube.ply", "--any"})) == names{"cube-cube 2"});
+  CHECK(answer({"crate.ply", "cube.ply", "cube.ply", "--any"})["frames"][0]["inside"].empty());
+  for (const auto &[option, value] : {std::pair("--mode", "surface"), std::pair("--precision", "fp32")}) {
+    const json without = answer({"crate.ply", "cube.ply", "cube.ply", option, value});
+    CHECK_FALSE(without["frames"][0].contains("inside"));
+  }
+  CHECK(run_with({"crate.ply", "cube.ply", "dust.csv"}, {"--mode", "surface", "--fail-on-touch"}).code == 0);
+
+  world(R"({"file": "open.ply"}, {"file": "cube.ply"})");
+  put("poses.csv", "frame,body,x,y,z,qw,qx,qy,qz\n0,cube,0,0,0,1,0,0,0\n1,cube,9,0,0,1,0,0,0\n2,cube,1,0,0,1,0,0,0\n");
+  const std::string why =
+      fmt::format("element {} of open has an edge where the surface is open or not oriented", beside);
+  const json unknown = answer({"--world", "cell.json", "--poses", "poses.csv"});
+  CHECK(unknown["frames"][0]["unknown"] == json{{{"a", "open"}, {"b", "cube"}, {"why", why}}});
+  CHECK(unknown["frames"][1]["unknown"].empty());
+  const said s = run({"collide", "--world", "cell.json", "--poses", "poses.csv", "--fail-on-touch"});
+  CHECK(has(s.out, "Unknown whether open or cube is inside the other, in 2 of 3 frames: " + why + "."));
+  CHECK(s.code == 0);
+}
+
 TEST_CASE("a fault of a world is one line that names the place") {
   put_files();
   const auto fault_of = [](const std::string &bodies, const std::string &more = "") {

@@ -6,6 +6,7 @@
 #include "meet/core/query/find.hpp"
 #include "meet/core/sets/element_set.hpp"
 #include "meet/core/sets/normalised.hpp"
+#include "meet/core/sets/topology.hpp"
 
 #include <cmath>
 #include <limits>
@@ -149,6 +150,14 @@ void call_members_of_prepared(caller &under) {
   });
   under.add_all(lo, 3), under.add_all(hi, 3), under.add(elements), under.add(fits), under.add(whole);
   under.add(kind), under.add(set), under.add(stored);
+}
+void call_topology(caller &under) {
+  const prepared p = prepare(view_of(one_pair().a, *touching().a), *touching().a);
+  const set_topology *found = nullptr;
+  under([&] { found = &p.topology(); });
+  for (const set_topology::corner &c : found->parts)
+    under.add(c.slot), under.add(c.point);
+  under.add(found->open.value_or(0));
 }
 void call_prepared(caller &under) { // made from another
   prepared p = prepare(view_of(one_pair().a, *touching().a), *touching().a);
@@ -347,6 +356,7 @@ constexpr entry all[] = {
     {"prepared::stored", call_members_of_prepared},
     {"prepared::whole", call_members_of_prepared},
     {"prepared::prepared", call_prepared},
+    {"prepared::topology", call_topology},
     {"prepared::normalised", call_normalised},
     {"input_error::input_error", call_input_error},
     {"check", call_check},

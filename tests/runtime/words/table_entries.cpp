@@ -149,6 +149,17 @@ void call_contacts(caller &under) {
     under.add_all(codes);
   });
 }
+void call_winding(caller &under) {
+  for_each_predicate([&](const predicate_info &p, const rows &a, const rows &b, std::size_t, std::size_t nb) {
+    if (!p.winding)
+      return;
+    for (std::size_t i = 0; i < 20; ++i) {
+      int number = 0;
+      under([&] { number = p.winding(a.data() + 3 * i, b.data(), nb); });
+      under.add(number);
+    }
+  });
+}
 void call_formulas_in_singles(caller &under) {
   call_formulas<float>(under, &formula_info::float32);
 }
@@ -163,6 +174,7 @@ constexpr entry all[] = {
     {"predicate_info::decide_last", call_decide_last},
     {"predicate_info::first_met", call_first_met},
     {"predicate_info::contacts", call_contacts},
+    {"predicate_info::winding", call_winding},
     {"kind_info::boxes", call_boxes},
     {"kind_info::fault", call_fault},
     {"stored_values::compute", call_compute},

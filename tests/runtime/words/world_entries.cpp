@@ -101,6 +101,7 @@ void call_world(caller &under) {
     world_options o;
     o.want = answer_kind::pairs;
     o.threads = 2;
+    o.nested = true;
     world_answer found;
     under([&] { found = w->touching(o); });
     under.add(found.near), under.add(found.candidates);
@@ -108,6 +109,9 @@ void call_world(caller &under) {
       under.add(t.a), under.add(t.b), under.add_all(t.found.pairs);
     std::vector<near_bodies> near;
     under([&] { near = w->near(); });
+    std::vector<nested_bodies> nested;
+    under([&] { nested = w->nested(near, o); });
+    under.add(nested.size());
     for (const near_bodies &n : near) {
       under.add(n.a), under.add(n.b), under.add(n.by.predicate);
       under([&] {
@@ -116,6 +120,8 @@ void call_world(caller &under) {
         under.add(n.first()), under.add(n.second()), under.add_all(n.told(std::move(r)).found.pairs);
       });
     }
+    for (const nested_bodies &n : found.nested)
+      under.add(n.a), under.add(n.b), under.add(n.how);
   }
   under([&] {
     under.add(w->size()), under.add(w->find("b").value_or(7)), under.add(w->at(0).m[0]);
@@ -144,6 +150,7 @@ constexpr entry all[] = {
     {"world::find", call_world},
     {"world::touching", call_world},
     {"world::near", call_world},
+    {"world::nested", call_world},
     {"world::owners", call_world},
     {"near_bodies::first", call_world},
     {"near_bodies::second", call_world},

@@ -1,5 +1,6 @@
 // Bodies that move without being prepared again, against sets that were prepared in each pose.
 #include "tests/catch.hpp"
+#include "tests/runtime/world/poses.hpp"
 
 #include "meet/bodies/meshes.hpp"
 #include "meet/core/sets/element_set.hpp"
@@ -8,13 +9,12 @@
 #include <cga/cga_runtime.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 #include <random>
 #include <string>
 
 using namespace meetc;
+using world_test::drawn;
 
 namespace {
 
@@ -44,28 +44,6 @@ std::vector<numbers> some_shapes() {
           {&kind_named("triangle"), bodies::block(4, 3, 2, 2), {}},
           {&kind_named("segment"), {}, bodies::segment_cloud(700, 3, 0.4)},
           {&kind_named("sphere"), {}, bodies::sphere_cloud(500, 4, 0.01, 0.1)}};
-}
-
-double uniform(std::mt19937 &g, double lo, double hi) {
-  return lo + (hi - lo) * (static_cast<double>(g()) * 0x1p-32);
-}
-
-// A rotation by a unit quaternion, and a move by at most `range`.
-pose drawn(std::mt19937 &g, double range) {
-  std::array<double, 4> q{};
-  double n = 0;
-  for (double &x : q)
-    x = uniform(g, -1, 1), n += x * x;
-  for (double &x : q)
-    x /= std::sqrt(n);
-  const auto [w, x, y, z] = q;
-  pose p;
-  const double m[12] = {1 - 2 * (y * y + z * z),   2 * (x * y - w * z),       2 * (x * z + w * y),
-                        uniform(g, -range, range), 2 * (x * y + w * z),       1 - 2 * (x * x + z * z),
-                        2 * (y * z - w * x),       uniform(g, -range, range), 2 * (x * z - w * y),
-                        2 * (y * z + w * x),       1 - 2 * (x * x + y * y),   uniform(g, -range, range)};
-  std::copy_n(m, 12, p.m);
-  return p;
 }
 
 struct scene {

@@ -3,6 +3,7 @@
 #include <meetc/simd/table_functions.hpp>
 #include <meetc/decide/first_met.hpp>
 #include <meetc/contact/contact.hpp>
+#include <meetc/contact/winding.hpp>
 
 #include <cga/first_met_segment_triangle_pair.hpp>
 #include <cga/side_triangle_point.hpp>
@@ -33,6 +34,7 @@ meetc::predicate_info segment_triangle_info(const meetc::kind_info *a, const mee
       number_b);
   info.first_met = meetc::first_met<segment_triangle, first_met_segment_triangle_pair_sign>;
   info.contacts = meetc::guarded<meetc::contact_codes<side_triangle_point_sign, 2>>;
+  info.winding = meetc::guarded<meetc::winding_part<side_triangle_point_sign>>;
   return info;
 }
 } // namespace detail

@@ -2,6 +2,7 @@
 // The parts of triangle_triangle that only few pairs need.
 #include <meetc/simd/table_functions.hpp>
 #include <meetc/contact/contact.hpp>
+#include <meetc/contact/winding.hpp>
 
 #include <cga/side_triangle_point.hpp>
 #include <cga/triangle_triangle.hpp>
@@ -31,6 +32,7 @@ meetc::predicate_info triangle_triangle_info(const meetc::kind_info *a, const me
       number_a,
       number_b);
   info.contacts = meetc::guarded<meetc::contact_codes<side_triangle_point_sign, 3>>;
+  info.winding = meetc::guarded<meetc::winding_part<side_triangle_point_sign>>;
   return info;
 }
 } // namespace detail

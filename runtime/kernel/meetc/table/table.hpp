@@ -124,6 +124,9 @@ struct predicate_info {
   // The contact codes of n pairs of rows (meetc/contact/code.hpp), which are exact; null: not generated.
   void (*contacts)(const float *a, const float *b, const index_pair *pairs, std::size_t n,
                    std::uint64_t *codes) = nullptr;
+  // The part of n rows of b in the winding number at a point that lies on none of them, which is exact; null: not generated
+  // (meetc/contact/winding.hpp).
+  int (*winding)(const float *point, const float *b, std::size_t n) = nullptr;
   // Whether the exact answer stays the same when all numbers are multiplied by one positive number.
   bool scales = true;
 };
