@@ -1,8 +1,8 @@
 // core/device/world.hpp: which bodies of a world touch, on a CUDA device.
 //
 // Each body that comes near another one is uploaded once, in its own frame, and is posed there when it has moved. The host
-// compares the bounds of bodies, and finds the bodies inside others. Answers are those of world::touching(), but for candidates,
-// which are counted as in core/device/collide.hpp.
+// compares the bounds of bodies, and finds the bodies inside others. Answers are those of world::touching(), but for
+// candidates, which are counted as in core/device/collide.hpp.
 #ifndef MEETC_CORE_DEVICE_WORLD_HPP
 #define MEETC_CORE_DEVICE_WORLD_HPP
 
