@@ -17,7 +17,7 @@ MEETC_NAMESPACE(meetc) {
 template <class Side> struct winding_signs {
   // The turn of x, y and the point seen from above, never 0 unless y lies above x.
   MEETC_HD static int turn(const float *x, const float *y, const float *p) {
-    if (const int exact = contact_signs<Side>::turn(2, x, y, p); exact != 0)
+    if (const int exact = contact_signs<exact_sides<Side>>().turn(2, x, y, p); exact != 0)
       return exact;
     if (x[1] != y[1])
       return x[1] > y[1] ? 1 : -1;
@@ -29,7 +29,7 @@ template <class Side> struct winding_signs {
     const int side = turn(a, b, p); // the three are equal where the ray's line meets the triangle
     if (side == 0 || turn(b, c, p) != side || turn(c, a, p) != side)
       return 0;
-    return contact_signs<Side>::side(triangle, p) == -side ? side : 0; // it lies above the point, or below
+    return contact_signs<exact_sides<Side>>().side(triangle, p) == -side ? side : 0; // it lies above the point, or below
   }
 };
 

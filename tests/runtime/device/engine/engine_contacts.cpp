@@ -108,7 +108,7 @@ template <class Error, class Call> bool throws(const Call &call) {
 }
 
 void refusals(comparison &with) {
-  const predicate_info &p = predicate_named("triangle_triangle"), &balls = predicate_named("ball_ball");
+  const predicate_info &p = predicate_named("triangle_triangle"), &boxes = predicate_named("box_box");
   const std::vector<float> row = {0, 0, 0, 1, 0, 0, 0, 1, 0};
   const view one{.data = row.data(), .elements = 1};
   const index_pair pair{0, 0}, beyond{0, 1};
@@ -116,7 +116,7 @@ void refusals(comparison &with) {
     contacts(with.on(), one, b, by, {&of, 1});
   };
   const auto require = [&](bool holds, const char *what) { with.require("contacts, refused", holds, what); };
-  require(throws<std::invalid_argument>([&] { ask(balls, one, pair); }), "a predicate without contacts");
+  require(throws<std::invalid_argument>([&] { ask(boxes, one, pair); }), "a predicate without contacts");
   require(throws<std::out_of_range>([&] { ask(p, one, beyond); }), "an element that is not there");
   predicate_info stranger = p;
   stranger.name = "stranger";
