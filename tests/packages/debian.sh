@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# debian.sh CPACK BUILD FOLDER COMPILER: makes the packages of a build, unpacks them and uses them as an install.
+# debian.sh CPACK build=BUILD folder=FOLDER COMPILER: makes the packages of a build, unpacks them and uses them as an install.
 set -euo pipefail
-cpack=$1 build=$2 folder=$3 compiler=$4
+cpack=$1 build=${2#build=} folder=${3#folder=} compiler=$4
 fail() {
   echo "debian.sh: $*"
   exit 1
