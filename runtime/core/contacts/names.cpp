@@ -69,7 +69,7 @@ part_names::part_names(const touched_rows &of) : of_(of) {
   for (std::size_t i = 0; i < n; ++i)
     vertices_.push_back(points.number(key_of_point(of.rows.data() + 3 * i)));
   if (corners == 3)
-    first_ = first_equal<3>(of.elements.size(), [&](std::uint32_t i) {
+    first_ = first_equal<3>(of.elements.size(), [&](std::size_t i) {
       std::array<std::uint32_t, 3> key{vertices_[3 * i], vertices_[3 * i + 1], vertices_[3 * i + 2]};
       std::sort(key.begin(), key.end());
       return key;

@@ -14,8 +14,6 @@
 namespace meetc {
 namespace {
 
-using on_device::query_answer;
-
 bool needs_pairs(const decision_job &job) {
   return std::ranges::any_of(job.answers, [](const auto &a) { return a->needs_pairs(); });
 }
@@ -92,7 +90,7 @@ private:
   bool answered() const { return stops_early_ && buffers_.seen_of(counter::hits) > 0; }
   // So many pairs of nodes never overflow a list.
   std::uint64_t always_fits() const {
-    return lists_.capacity() / (cuda::tree_width * cuda::tree_width * (job_.half ? 2 : 1));
+    return lists_.capacity() / (std::uint64_t{cuda::tree_width} * cuda::tree_width * (job_.half ? 2 : 1));
   }
 
   // Runs the kernels from the walk to the last decision, and waits for their counts.

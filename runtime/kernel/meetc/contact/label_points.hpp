@@ -4,6 +4,8 @@
 
 #include <meetc/contact/code.hpp>
 
+#include <cstddef>
+
 MEETC_NAMESPACE(meetc) {
 
 // An element of a pair: its row and the number of its corners, 2 or 3.
@@ -21,7 +23,7 @@ struct label_points {
   MEETC_HD label_points(const contact_element &a, const contact_element &b, unsigned label) : q(nullptr), others(0) {
     const int at_a = label_a(label), at_b = label_b(label);
     if (at_a < a.corners || at_b < b.corners) {
-      p = at_a < a.corners ? a.row + 3 * at_a : b.row + 3 * at_b;
+      p = at_a < a.corners ? corner(a, at_a) : corner(b, at_b);
       return;
     }
     const bool edge_of_a = at_a < open_face;
@@ -34,13 +36,14 @@ struct label_points {
       return;
     }
     for (int i = 0; i < 3; ++i)
-      other[i] = with_other.row + 3 * i;
+      other[i] = corner(with_other, i);
   }
 
 private:
+  MEETC_HD static const float *corner(const contact_element &of, int i) { return of.row + std::ptrdiff_t{3} * i; }
   MEETC_HD static void ends(const contact_element &of, int edge, const float *&from, const float *&to) {
     const int i = edge - first_edge, next = i + 1 == of.corners ? 0 : i + 1;
-    from = of.row + 3 * i, to = of.row + 3 * next;
+    from = corner(of, i), to = corner(of, next);
   }
 };
 

@@ -29,7 +29,8 @@ template <class Side> struct winding_signs {
     const int side = turn(a, b, p); // the three are equal where the ray's line meets the triangle
     if (side == 0 || turn(b, c, p) != side || turn(c, a, p) != side)
       return 0;
-    return contact_signs<exact_sides<Side>>().side(triangle, p) == -side ? side : 0; // it lies above the point, or below
+    return contact_signs<exact_sides<Side>>().side(triangle, p) == -side ? side
+                                                                         : 0; // it lies above the point, or below
   }
 };
 

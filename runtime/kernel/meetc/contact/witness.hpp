@@ -18,6 +18,8 @@
 #include <meetc/contact/label_points.hpp>
 #include <meetc/contact/square_root.hpp>
 
+#include <cstddef>
+
 MEETC_NAMESPACE(meetc) {
 
 class witness_point {
@@ -114,7 +116,7 @@ private:
       if (less(square, least))
         best = x, least = square;
     };
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
       const float *const p = triangle + 3 * i, *const q = triangle + 3 * ((i + 1) % 3);
       const vector start = from_to(ball, p), edge = from_to(p, q);
       const number square = dot(edge, edge);
@@ -142,7 +144,7 @@ private:
   // From the triangle's point nearest to the centre, no farther from it than r, towards a corner at least as far as r.
   MEETC_HD void go_to_surface(const float *ball, const float *triangle) {
     vector corner = from_to(ball, triangle);
-    for (int i = 1; i < 3; ++i)
+    for (std::size_t i = 1; i < 3; ++i)
       if (const vector x = from_to(ball, triangle + 3 * i); less(dot(corner, corner), dot(x, x)))
         corner = x;
     const vector way = along(corner, whole(-1), at_);

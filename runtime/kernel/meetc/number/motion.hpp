@@ -17,6 +17,7 @@
 #include <meetc/environment/environment.hpp>
 
 #include <cmath>
+#include <cstddef>
 
 MEETC_NAMESPACE(meetc) {
 
@@ -155,8 +156,8 @@ template <class T> MEETC_HD inline void pose(const motion<T> &of, double shift, 
                    {double(of.w[0]), double(of.w[1]), double(of.w[2])}};
   scale_to_one(v);
   const double square = v.s * v.s + dot(v.u, v.u);
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
     m[5 * i] = ((v.s * v.s + v.u[i] * v.u[i]) - (v.u[j] * v.u[j] + v.u[k] * v.u[k])) / square;
     m[4 * i + j] = 2 * (v.u[i] * v.u[j] - v.s * v.u[k]) / square;
     m[4 * j + i] = 2 * (v.u[i] * v.u[j] + v.s * v.u[k]) / square;
