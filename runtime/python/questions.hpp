@@ -33,9 +33,8 @@ template <class Question> void bind_answers(py::class_<Question> &to) {
   });
   to.def("count", [](const Question &q) { return q.ask(answer_kind::count, false).count; });
   to.def("any", [](const Question &q) { return q.ask(answer_kind::any, false).count != 0; });
-  to.def("first", [](const Question &q) {
-    return as_array<std::int32_t>(std::move(q.ask(answer_kind::none, true).first_met));
-  });
+  to.def("first",
+         [](const Question &q) { return as_array<std::int32_t>(std::move(q.ask(answer_kind::none, true).first_met)); });
 }
 
 } // namespace meetc::python

@@ -3,8 +3,7 @@
 # them as a user would. It needs root and a network.
 set -euo pipefail
 packages=$(realpath "$1") folder=$2
-mirror=${MIRROR:-http://deb.debian.org/debian}
-debootstrap --variant=minbase bookworm "$folder" "$mirror"
+debootstrap --variant=minbase bookworm "$folder"
 mkdir "$folder/packages"
 cp "$packages"/*.deb "$folder/packages/"
 cp -L /etc/resolv.conf "$folder/etc/resolv.conf" || true

@@ -37,7 +37,7 @@ template <class T> struct per_element { std::vector<T> a, b; };
 // Every member but the count is empty unless it was asked for.
 struct result {
   std::vector<index_pair> pairs; // sorted by a, then b; no pair twice
-  std::uint64_t count = 0;       // pairs, or pairs of items where there are owners; 0 or 1 for answer_kind::any, 0 for none
+  std::uint64_t count = 0; // pairs, or pairs of items where there are owners; 0 or 1 for answer_kind::any, 0 for none
   per_element<std::uint8_t> flags;
   per_element<std::uint64_t> counts;
   // For each element of a, the element (or item) of b that it meets first on its way from its first point to its second, and
