@@ -76,6 +76,8 @@ py::dict find(const side &a, const side &b, const predicate_info &predicate, std
 py::dict contacts_of(const set_arrays &a, const set_arrays &b, const std::string &predicate, const py::array &pairs,
                      bool wide, int threads) {
   const predicate_info &by = predicate_named(predicate);
+  if (by.a->points == 0 || by.b->points == 0) // roots and witnesses have no arrays here
+    throw py::type_error("predicate: contacts are found of elements that are points");
   const side of_a(a, *by.a), of_b(b, *by.b);
   const std::span<const index_pair> asked = pairs_of(pairs);
   return wide ? find<double>(of_a, of_b, by, asked, threads) : find<float>(of_a, of_b, by, asked, threads);
@@ -88,7 +90,11 @@ touched_rows one_row(const py::array &row, int carrier) {
   if ((row.size() != 6 && row.size() != 9) || !there)
     throw py::type_error("row: it has no such part");
   const std::span<const float> numbers = span_of<float>(row);
-  return {corners, {0}, {numbers.begin(), numbers.end()}};
+  touched_rows out;
+  out.corners = corners, out.fields = 3 * corners;
+  out.elements = {0};
+  out.rows.assign(numbers.begin(), numbers.end());
+  return out;
 }
 
 // Numerator and denominator of each coordinate of a node, from the rows of its two elements and its label.

@@ -20,8 +20,8 @@ template <class T> void upload(const device_buffers &buffers, device_memory<T> &
 template <class Real> class steps_there final : public contact_steps<Real> {
 public:
   steps_there(const device &on, const predicate_info &predicate, int threads, device_contact_work &work)
-      : buffers_(on.buffers()), predicate_(predicate), by_(launchers_of(on.kernels(), predicate).pairs.contacts),
-        here_(predicate, threads), work_(work) {}
+      : buffers_(on.buffers()), by_(launchers_of(on.kernels(), predicate).pairs.contacts), here_(predicate, threads),
+        work_(work) {}
 
   void find_codes(const touched_rows &a, const touched_rows &b, std::span<const index_pair> pairs,
                   std::uint64_t *codes) override {
@@ -61,7 +61,6 @@ public:
 
 private:
   device_buffers &buffers_;
-  const predicate_info &predicate_;
   cudaError_t (*by_)(const cuda::contact_job &, cudaStream_t);
   steps_on_cpu<Real> here_;
   device_contact_work &work_;

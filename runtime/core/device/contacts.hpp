@@ -18,8 +18,8 @@ struct device_contact_work {
   std::size_t pairs_left = 0, nodes_left = 0;
 };
 
-// Throws what contacts() on the CPU throws, and device_error, also where the device has no kernel for the contacts of this
-// predicate. work: null where it is not asked for.
+// Throws what contacts() on the CPU throws, and device_error. Where no kernel was generated for the contacts of this predicate,
+// as for those with a ball, the host finds all of them. work: null where it is not asked for.
 template <class Real = float>
 contact_set<Real> contacts(const device &on, const view &a, const view &b, const predicate_info &predicate,
                            std::span<const index_pair> pairs, const contact_options &options = {},
