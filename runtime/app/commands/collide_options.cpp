@@ -147,6 +147,11 @@ void add_answers(CLI::App &c, arguments &to) {
                "Write a.ply and b.ply with touched faces in bright colours into this folder")
       ->type_name("DIR");
   c.add_option("--image", q.image, "Write a picture in which touching elements stand out")->type_name("out.png");
+  c.add_option(
+       "--report", q.page,
+       "Write a page for a browser, one file that needs no network: the elements that touch and where they meet, in "
+       "a scene to turn, with a list of the pairs")
+      ->type_name("out.html");
   c.add_flag("--fail-on-touch", q.fail_on_touch, "Exit with 1 where something touches")->disable_flag_override();
   c.add_flag("--json", q.json, "Print one JSON object instead of the summary")->disable_flag_override();
   c.add_option("--threads", to.threads, "Threads; 0, the default, is all cores")->type_name("N");

@@ -202,10 +202,32 @@ std::string extension_of(const fs::path &to) {
   return io::lower_case(to.extension().string());
 }
 
+template <class Real>
+contact_counts write_in(const fs::path &to, const io::element_set &a, const io::element_set &b, const query &asked,
+                        const answers &found, output_files &outputs) {
+  const contact_set<Real> c = find_contacts<Real>(a, b, asked, found);
+  const std::string extension = extension_of(to);
+  const named_contacts<Real> named{c, a, b, asked.by.swapped};
+  outputs.write(to, [&](const fs::path &file) {
+    io::write_file(file, extension == ".csv"   ? as_csv(named)
+                         : extension == ".obj" ? as_obj(c)
+                         : extension == ".ply" ? as_ply(c)
+                                               : as_json(named));
+  });
+  return counts_of(c);
+}
+
+std::string some(std::size_t n, const char *what) {
+  return fmt::format("{} {}{}", grouped(n), what, n == 1 ? "" : "s");
+}
+
+} // namespace
+
 // By the processor that has found the pairs. Where that was a choice of ours and it fails, the CPU takes its place.
 template <class Real>
-contact_set<Real> find_contacts(const io::element_set &first, const io::element_set &second, const query &asked,
+contact_set<Real> find_contacts(const io::element_set &a, const io::element_set &b, const query &asked,
                                 const answers &found) {
+  const io::element_set &first = asked.by.swapped ? b : a, &second = asked.by.swapped ? a : b;
   if (found.on == processor::cuda)
     try {
       return contacts_on_device<Real>(first, second, *asked.by.predicate, found.element_pairs, asked.threads);
@@ -217,31 +239,19 @@ contact_set<Real> find_contacts(const io::element_set &first, const io::element_
   options.threads = asked.threads;
   return contacts<Real>(view_of(first), view_of(second), *asked.by.predicate, found.element_pairs, options);
 }
+template contact_set<float> find_contacts(const io::element_set &, const io::element_set &, const query &,
+                                          const answers &);
+template contact_set<double> find_contacts(const io::element_set &, const io::element_set &, const query &,
+                                           const answers &);
 
-template <class Real>
-contact_counts write_in(const fs::path &to, const io::element_set &a, const io::element_set &b, const query &asked,
-                        const answers &found, output_files &outputs) {
-  const io::element_set &first = asked.by.swapped ? b : a, &second = asked.by.swapped ? a : b;
-  const contact_set<Real> c = find_contacts<Real>(first, second, asked, found);
-  const std::string extension = extension_of(to);
-  const named_contacts<Real> named{c, a, b, asked.by.swapped};
-  outputs.write(to, [&](const fs::path &file) {
-    io::write_file(file, extension == ".csv"   ? as_csv(named)
-                         : extension == ".obj" ? as_obj(c)
-                         : extension == ".ply" ? as_ply(c)
-                                               : as_json(named));
-  });
+template <class Real> contact_counts counts_of(const contact_set<Real> &c) {
   return {c.nodes(),          c.pieces.size(),
           c.polylines.size(), static_cast<std::size_t>(std::count(c.closed.begin(), c.closed.end(), 1)),
           c.patches.size(),   c.single_nodes.size(),
           c.seconds};
 }
-
-std::string some(std::size_t n, const char *what) {
-  return fmt::format("{} {}{}", grouped(n), what, n == 1 ? "" : "s");
-}
-
-} // namespace
+template contact_counts counts_of(const contact_set<float> &);
+template contact_counts counts_of(const contact_set<double> &);
 
 void check_contact_file(const fs::path &to) {
   const std::string extension = extension_of(to);
