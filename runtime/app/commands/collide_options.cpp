@@ -187,7 +187,7 @@ printed collide_many(const kernel_library &all, const arguments &args) {
   q.mode = mode_named(r.mode);
   q.precision = precision_named(args.precision);
   q.on = processor_named(args.device);
-  q.any = r.any, q.json = r.json, q.pairs = r.pairs;
+  q.any = r.any, q.json = r.json, q.pairs = r.pairs, q.page = r.page;
   if (args.threads)
     q.threads = threads_named(*args.threads);
   bodies_report report = collide_bodies(kernels_named(all, args.instruction_set), q);

@@ -51,6 +51,15 @@ std::vector<std::pair<char, const io::element_set *>> sets_of(const collide_repo
   return {{'A', &r.a}, {'B', &r.b}};
 }
 
+// The count of numbers that float32 moved, as a line; empty where it moved none.
+std::string rounded_line(const collide_report &r) {
+  std::string out;
+  for (const auto &[letter, set] : sets_of(r))
+    if (set->rounded.numbers > 0)
+      out += fmt::format("{}{}", out.empty() ? "" : ", ", in_words(set->rounded, fmt::format(" of {}", letter)));
+  return out.empty() ? out : fmt::format("Rounded to float32: {}.\n", out);
+}
+
 // The rungs that were needed, each with the number of pairs that it left unsure.
 std::string rungs_line(const answers &f) {
   std::string out;
@@ -72,14 +81,6 @@ std::string tolerance_lines(const query &q) {
 }
 
 } // namespace
-
-std::string rounded_line(const collide_report &r) {
-  std::string out;
-  for (const auto &[letter, set] : sets_of(r))
-    if (set->rounded.numbers > 0)
-      out += fmt::format("{}{}", out.empty() ? "" : ", ", in_words(set->rounded, fmt::format(" of {}", letter)));
-  return out.empty() ? out : fmt::format("Rounded to float32: {}.\n", out);
-}
 
 std::string answer_line(const collide_report &r) {
   const answers &f = r.found;

@@ -30,9 +30,8 @@ std::vector<std::string> all_notes(const collide_report &r);
 
 std::string summary(const collide_report &r);
 
-// Both are a line with its end; that of the numbers which float32 moved is empty where it moved none.
+// The answer in words, and a newline.
 std::string answer_line(const collide_report &r);
-std::string rounded_line(const collide_report &r);
 
 // "on NVIDIA H200: 0.300 s to start, 0.001000 s of kernels" and a newline.
 std::string device_line(const device_account &d);

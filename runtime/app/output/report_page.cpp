@@ -49,19 +49,20 @@ std::string in_page(std::string line) {
   return line;
 }
 
-std::string precision_in_words(const query &q) {
+std::string promise_of(const query &q) {
   if (q.tolerance > 0)
     return fmt::format("{}, within {}: an answer may be wrong only where moving one element by {:.3g} changes it",
                        name_of(q.precision), q.tolerance, moved_by_grid(*q.by.predicate, q.grid));
-  if (q.precision == rung::certified || q.precision == rung::exact)
-    return fmt::format("{}: no answer is wrong for the numbers as they were read", name_of(q.precision));
-  return fmt::format("{}: the sign of the rounded result, which may be wrong", name_of(q.precision));
+  return precision_in_words(q.precision);
 }
 
-std::string rounding_in_words(std::string line) {
-  line = in_page(std::move(line));
-  return line.empty() ? "none: all numbers of the files are float32"
-                      : fmt::format("to float32: {}", line.substr(std::string_view("Rounded to float32: ").size()));
+// That of both files, where they are two.
+std::string rounding_of(const collide_report &r) {
+  if (&r.a == &r.b || r.b.rounded.numbers == 0)
+    return rounding_in_words(r.a.rounded, " of A");
+  if (r.a.rounded.numbers == 0)
+    return rounding_in_words(r.b.rounded, " of B");
+  return fmt::format("{}, {}", rounding_in_words(r.a.rounded, " of A"), in_words(r.b.rounded, " of B"));
 }
 
 void add_contacts(const std::optional<contact_set<double>> &found, std::size_t pairs, report::scene &to) {
@@ -89,6 +90,17 @@ void check_page(const fs::path &to) {
                               fs::path(to).replace_extension(".html").string()));
 }
 
+std::string precision_in_words(rung precision) {
+  if (precision == rung::certified || precision == rung::exact)
+    return fmt::format("{}: no answer is wrong for the numbers as they were read", name_of(precision));
+  return fmt::format("{}: the sign of the rounded result, which may be wrong", name_of(precision));
+}
+
+std::string rounding_in_words(const io::rounded_numbers &moved, std::string_view of) {
+  return moved.numbers > 0 ? fmt::format("to float32: {}", in_words(moved, of))
+                           : "none: all numbers of the files are float32";
+}
+
 bool page_has_contacts(const query &asked) {
   return asked.by.predicate->contacts && asked.tolerance == 0;
 }
@@ -106,8 +118,8 @@ void write_page(const fs::path &to, const painted &a, const painted &b, const co
       {"Answer", in_page(answer_line(r))},
       {"Predicate", fmt::format("{}{}", r.asked.by.predicate->name,
                                 *r.asked.by.predicate->mode ? fmt::format(" ({})", r.asked.by.predicate->mode) : "")},
-      {"Precision", precision_in_words(r.asked)},
-      {"Rounding", rounding_in_words(rounded_line(r))}};
+      {"Precision", promise_of(r.asked)},
+      {"Rounding", rounding_of(r)}};
   std::optional<contact_set<double>> found;
   if (page_has_contacts(r.asked) && r.found.element_pairs.size() <= most_contacts)
     found = find_contacts<double>(r.a, r.b, r.asked, r.found);
@@ -132,9 +144,8 @@ void write_page(const fs::path &to, const painted &a, const predicate_info &pred
       {"Answer", fmt::format("{} {} beyond their common corners: {}", grouped(r.pairs),
                              r.pairs == 1 ? "pair of faces meets" : "pairs of faces meet", counted(r.a, r.touched))},
       {"Corners", r.merged ? "those with equal coordinates are one" : "one where their vertex is"},
-      {"Precision", "certified: no answer is wrong for the numbers as they were read"},
-      {"Rounding", r.a.rounded.numbers > 0 ? fmt::format("to float32: {}", in_words(r.a.rounded, " of A"))
-                                           : rounding_in_words("")}};
+      {"Precision", precision_in_words(rung::certified)},
+      {"Rounding", rounding_in_words(r.a.rounded, " of A")}};
   std::optional<contact_set<double>> found;
   if (r.found.pairs.size() <= most_contacts) {
     contact_options options;

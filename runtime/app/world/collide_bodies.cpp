@@ -4,10 +4,12 @@
 #include "meet/app/input/kinds.hpp"
 #include "meet/app/input/sets.hpp"
 #include "meet/app/output/output_files.hpp"
+#include "meet/app/output/report_page.hpp"
 #include "meet/app/query/choose.hpp"
 #include "meet/app/text/json.hpp"
 #include "meet/app/text/progress.hpp"
 #include "meet/app/text/words.hpp"
+#include "meet/app/world/bodies_page.hpp"
 #include "meet/app/world/poses_file.hpp"
 #include "meet/app/world/world_on.hpp"
 #include "meet/core/world/world.hpp"
@@ -191,15 +193,27 @@ std::vector<std::string> write_pairs(const bodies_request &q, const scene &s, co
       outputs.write(to, [&t](const fs::path &file) { io::write_pairs_csv(file, t.found.pairs); });
       written.push_back(to.string());
     }
-  outputs.commit();
   return written;
+}
+
+std::string write_page(const bodies_request &q, const world_source &from, const scene &s,
+                       const std::vector<frame> &frames, const std::vector<frame_answer> &answers,
+                       output_files &outputs) {
+  std::vector<shown_body> bodies;
+  for (std::size_t i = 0; i < s.names.size(); ++i)
+    bodies.push_back({s.names[i], &s.shapes[i]->elements, from.bodies[i].at});
+  std::vector<const world_answer *> found;
+  for (const frame_answer &f : answers)
+    found.push_back(&f.found);
+  outputs.write(*q.page, [&](const fs::path &to) { write_bodies_page(to, bodies, frames, found, q.precision); });
+  return q.page->string();
 }
 
 } // namespace
 
 bodies_report collide_bodies(const catalogue &all, const bodies_request &q) {
-  if (q.any && q.pairs)
-    throw failure("--any stops at the first pair and keeps none; --pairs needs them all");
+  if (q.any && (q.pairs || q.page))
+    throw failure("--any stops at the first pair and keeps none; --pairs and --report need them all");
   world_source from = q.world ? read_world(*q.world) : world_of_files(q.files);
   std::vector<fs::path> inputs;
   for (const body_source &b : from.bodies)
@@ -207,6 +221,8 @@ bodies_report collide_bodies(const catalogue &all, const bodies_request &q) {
   output_files outputs(inputs);
   if (q.pairs)
     outputs.expect(*q.pairs / "pairs.csv", true);
+  if (q.page)
+    outputs.expect(*q.page), check_page(*q.page);
   from.allowed.insert(from.allowed.end(), q.allowed.begin(), q.allowed.end());
   scene s(all, q);
   try {
@@ -247,7 +263,10 @@ bodies_report collide_bodies(const catalogue &all, const bodies_request &q) {
         break;
     }
   }
-  const std::vector<std::string> written = q.pairs ? write_pairs(q, s, answers, outputs) : std::vector<std::string>{};
+  std::vector<std::string> written = q.pairs ? write_pairs(q, s, answers, outputs) : std::vector<std::string>{};
+  if (q.page)
+    written.push_back(write_page(q, from, s, frames, answers, outputs));
+  outputs.commit();
   report.text = q.json ? in_one_line(as_json(q, s, answers)) + '\n' : summary(q, s, answers);
   if (!q.json)
     for (const std::string &file : written)

@@ -95,3 +95,43 @@ TEST_CASE("a report that cannot be written leaves none, and says why") {
   CHECK(has(full.err, "/dev/full"));
   CHECK(has(complaint({"collide", a, "--self", "--report", at("out.png")}), "a report is a page of HTML"));
 }
+
+TEST_CASE("a report of many bodies has their poses and what touches in each frame") {
+  put_mesh("ring.ply", meetc::bodies::torus(16, 8));
+  put_mesh("ball.ply", meetc::bodies::icosphere(1));
+  const std::string world = put("cell.json", R"({"bodies": [{"name": "one", "file": "ring.ply"},
+    {"name": "two", "file": "ring.ply", "pose": [5, 0, 0, 1, 0, 0, 0]}, {"name": "ball", "file": "ball.ply"}]})");
+  const std::string poses = put("poses.csv", "frame,body,x,y,z,qw,qx,qy,qz\n"
+                                             "first,ball,10,0,0,1,0,0,0\nsecond,ball,1,0,0,1,0,0,0\n"
+                                             "third,two,1,0,0,1,0,0,0\n");
+  const std::vector<std::string> asked = {"--world", world, "--poses", poses, "--report", at("world.html")};
+  const json said = answer(asked);
+  const std::string html = get(at("world.html"));
+  const decoded::page page(html);
+  const json &h = page.header;
+  REQUIRE(h["bodies"].size() == 3);
+  CHECK(h["shapes"].size() == 2); // a file is in the page once
+  CHECK(h["bodies"][1]["name"] == "two");
+  CHECK(h["bodies"][1]["shape"] == h["bodies"][0]["shape"]);
+  CHECK(h["bodies"][1]["pose"][3] == 5);
+  REQUIRE(h["frames"].size() == 3);
+  CHECK(h["frames"][0]["moved"][0][0] == 2);
+  CHECK(h["frames"][0]["moved"][0][1][3] == 10);
+  for (std::size_t f = 0; f < 3; ++f) {
+    const json &touching = said["frames"][f]["touching"], &shown = h["frames"][f]["touching"];
+    REQUIRE(touching.size() == shown.size());
+    CHECK(h["frames"][f]["name"] == said["frames"][f]["frame"]);
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      CHECK(h["bodies"][shown[i][0].get<std::size_t>()]["name"] == touching[i]["a"]);
+      CHECK(shown[i][2] == touching[i]["pairs"]);
+    }
+  }
+  CHECK(said["frames"][0]["touching"].empty());
+  CHECK(said["frames"][1]["touching"].size() == 1);
+  CHECK(fact(page, "Answer") == "in 2 of 3 frames some bodies touch");
+  answer(asked);
+  CHECK(get(at("world.html")) == html);
+  CHECK(has(complaint({"collide", "--world", world, "--any", "--report", at("any.html")}), "--report need them all"));
+  CHECK(has(complaint({"collide", "--world", world, "--report", at("any.txt")}), "a report is a page of HTML"));
+  CHECK(!fs::exists(at("any.html")));
+}

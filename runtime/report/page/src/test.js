@@ -68,7 +68,8 @@ async function run(page, faults) {
     out.frame = $('frame-name').textContent;
   }
   // A page at rest draws nothing.
-  await new Promise((done) => setTimeout(done, 300));
+  do await new Promise((done) => setTimeout(done, 300));
+  while (stage.wanted !== undefined);
   const frames = stage.frames;
   await new Promise((done) => setTimeout(done, 500));
   out.frames_at_rest = stage.frames - frames;
