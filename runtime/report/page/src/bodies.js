@@ -1,5 +1,5 @@
 // All bodies of a report in their places, frame by frame.
-import { Box3, Group, Sphere } from 'three';
+import { Box3, Group, Raycaster, Sphere } from 'three';
 import { Drawn, colourOf } from './drawn.js';
 import { boxOf } from './report.js';
 
@@ -34,6 +34,14 @@ export class Bodies {
     const sphere = all.getBoundingSphere(new Sphere());
     if (!(sphere.radius > 0)) sphere.radius = 1;
     return sphere;
+  }
+
+  // Whether no solid body stands between two points.
+  open(from, to, margin) {
+    const way = to.clone().sub(from), ray = new Raycaster(from, way.clone().normalize());
+    ray.far = way.length() - margin;
+    this.group.updateMatrixWorld();
+    return ray.far <= 0 || ray.intersectObjects(this.drawn.flatMap((d) => d.solids()), false).length === 0;
   }
 
   get touching() {

@@ -143,6 +143,9 @@ export class Drawn {
     for (const part of this.parts.flat()) part.material = on && part.wires ? part.wires : part.lit;
     this.set(this.mode);
   }
+  solids() {
+    return this.mode === 'solid' ? this.parts.flat().filter(isSurface) : [];
+  }
   tint(colour) {
     for (const part of this.parts[0])
       for (const material of [part.lit, part.wires ?? part.lit]) material.color.copy(colour ?? this.base);

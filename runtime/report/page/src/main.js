@@ -62,17 +62,21 @@ class Page {
   }
   choose(i) {
     const { report, stage } = this, from = stage.camera.position.clone().sub(stage.controls.target);
-    let place = null, size = 0, direction = from;
+    let place = null, size = 0, sides = [from];
     if (this.many) {
       place = this.bodies.boxOfTouch(i);
-      size = 1.5 * place.getSize(new Vector3()).length();
+      size = 0.4 * place.getSize(new Vector3()).length();
     } else {
       ({ place, size } = report.boxOfPair(i));
-      direction = directionTo(report, i, from);
+      const outside = directionTo(report, i, from);
+      const axes = [0, 1, 2].map((k) => new Vector3().setComponent(k, 1));
+      sides = [outside, outside.clone().negate(), from, ...axes, ...axes.map((a) => a.clone().negate())];
       this.outline(i);
     }
     const centre = place.getCenter(new Vector3());
-    stage.fly(stage.fitting(new Sphere(centre, Math.max(1.6 * size, 1e-6 * stage.around.radius)), direction));
+    const ball = new Sphere(centre, Math.max(1.6 * size, 1e-6 * stage.around.radius));
+    const views = sides.map((side) => stage.fitting(ball, side));
+    stage.fly(views.find((v) => this.bodies.open(new Vector3().fromArray(v), centre, 0.2 * size)) ?? views[0]);
     const where = report.toWorld(centre).map((x) => Number(x.toPrecision(7)));
     $('selected').textContent = `Pair ${i + 1}: ${this.label(i)}, near ${where.join(', ')}`;
     this.list.mark(i);
