@@ -21,6 +21,7 @@ inline constexpr colour red{196, 152, 146};
 inline constexpr colour yellow{255, 214, 0}; // hit elements of the first set
 inline constexpr colour pink{255, 20, 137};  // hit elements of the second
 inline constexpr colour orange{255, 128, 0}; // hit spheres
+inline constexpr colour sky{20, 110, 255};   // where elements meet
 inline constexpr colour ink{44, 48, 54};
 } // namespace palette
 

@@ -34,7 +34,8 @@ void require_fit(const CLI::App &c, bool many) {
   constexpr const char *of_many[] = {"--world", "--poses", "--allow", "--srdf", "--only"};
   constexpr const char *of_both[] = {
       "A",       "B",      "C",         "--mode",          "--precision",       "--any",
-      "--pairs", "--json", "--threads", "--fail-on-touch", "--instruction-set", "--device"};
+      "--pairs", "--json", "--threads", "--fail-on-touch", "--instruction-set", "--device",
+      "--report"};
   const auto among = [](std::span<const char *const> names, const std::string &name) {
     return std::ranges::any_of(names, [&name](const char *n) { return name == n; });
   };

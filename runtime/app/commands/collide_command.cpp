@@ -9,6 +9,7 @@
 #include "meet/app/output/paint.hpp"
 #include "meet/app/output/pair_values.hpp"
 #include "meet/app/output/report.hpp"
+#include "meet/app/output/report_page.hpp"
 #include "meet/app/query/coarse_tolerance.hpp"
 #include "meet/app/query/collide_sets.hpp"
 #include "meet/app/text/progress.hpp"
@@ -28,10 +29,10 @@ namespace fs = std::filesystem;
 namespace {
 
 void check_outputs(const collide_request &q, output_files &outputs) {
-  if (q.any && (q.pairs || q.first || q.contacts || q.colour || q.image || !q.evaluate.empty()))
+  if (q.any && (q.pairs || q.first || q.contacts || q.colour || q.image || q.page || !q.evaluate.empty()))
     throw failure(
-        "--any stops at the first pair and keeps none; --pairs, --first, --contacts, --evaluate, --color and --image "
-        "need them all");
+        "--any stops at the first pair and keeps none; --pairs, --first, --contacts, --evaluate, --color, --image "
+        "and --report need them all");
   if (q.first && q.tolerance > 0)
     throw failure("--first is exact and goes with no --tolerance");
   if (q.contacts && q.tolerance > 0)
@@ -51,6 +52,10 @@ void check_outputs(const collide_request &q, output_files &outputs) {
   if (q.image) {
     outputs.expect(*q.image);
     check_picture(*q.image);
+  }
+  if (q.page) {
+    outputs.expect(*q.page);
+    check_page(*q.page);
   }
   if (q.colour && q.colour->empty())
     throw failure("--color: the folder's name is empty");
@@ -109,6 +114,10 @@ void write_all(const collide_request &q, const std::optional<formula_choice> &fo
     outputs.write(*q.image, [&a, &b](const fs::path &to) { write_picture(to, {a, b}); });
     report.written.push_back(q.image->string());
   }
+  if (q.page) {
+    outputs.write(*q.page, [&](const fs::path &to) { write_page(to, a, b, report); });
+    report.written.push_back(q.page->string());
+  }
   outputs.commit();
 }
 
@@ -139,9 +148,9 @@ printed collide(const catalogue &all, const collide_request &q) {
   set_tolerance(h, q.tolerance);
   h.box = all.box;
   h.any = q.any;
-  h.keep = q.pairs.has_value() || !q.evaluate.empty();
-  h.elements = q.contacts.has_value();
-  if (h.elements)
+  h.keep = q.pairs.has_value() || q.page.has_value() || !q.evaluate.empty();
+  h.elements = q.contacts.has_value() || (q.page && page_has_contacts(h));
+  if (q.contacts)
     require_contacts(*h.by.predicate);
   h.first = q.first.has_value();
   h.threads = q.threads;

@@ -23,7 +23,7 @@ struct collide_request {
   io::read_options read_a, read_b;
   bool any = false, json = false, fail_on_touch = false;
   bool self = false, merge = true; // A with itself; its corners with equal coordinates are one
-  std::optional<std::filesystem::path> pairs, first, contacts, colour, image;
+  std::optional<std::filesystem::path> pairs, first, contacts, colour, image, page;
   bool contacts_float64 = false;
   std::vector<std::string> evaluate; // a formula and the file for its values, or none
   int threads = 0;

@@ -148,6 +148,11 @@ void add_answers(CLI::App &c, arguments &to) {
                "Write a.ply and b.ply with touched faces in bright colours into this folder")
       ->type_name("DIR");
   c.add_option("--image", q.image, "Write a picture in which touching elements stand out")->type_name("out.png");
+  c.add_option(
+       "--report", q.page,
+       "Write a page for a browser, one file that needs no network: the elements that touch and where they meet, in "
+       "a scene to turn, with a list of the pairs")
+      ->type_name("out.html");
   c.add_flag("--fail-on-touch", q.fail_on_touch,
              "Exit with 1 where something touches; of many bodies, where one lies inside another too")
       ->disable_flag_override();
@@ -185,7 +190,7 @@ printed collide_many(const kernel_library &all, const arguments &args) {
   q.mode = mode_named(r.mode);
   q.precision = precision_named(args.precision);
   q.on = processor_named(args.device);
-  q.any = r.any, q.json = r.json, q.pairs = r.pairs;
+  q.any = r.any, q.json = r.json, q.pairs = r.pairs, q.page = r.page;
   if (args.threads)
     q.threads = threads_named(*args.threads);
   bodies_report report = collide_bodies(kernels_named(all, args.instruction_set), q);

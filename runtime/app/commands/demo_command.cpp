@@ -4,6 +4,7 @@
 #include "meet/app/input/sets.hpp"
 #include "meet/app/output/output_files.hpp"
 #include "meet/app/output/paint.hpp"
+#include "meet/app/output/report_page.hpp"
 #include "meet/app/query/collide_sets.hpp"
 #include "meet/app/text/words.hpp"
 
@@ -25,9 +26,12 @@ fs::path mesh_path(const fs::path &folder, const std::string &name) {
 fs::path picture_path(const fs::path &folder, const demo_scene &s) {
   return folder / (s.name + ".png");
 }
+fs::path page_path(const fs::path &folder, const demo_scene &s) {
+  return folder / (s.name + ".html");
+}
 
-void write_scene(const fs::path &folder, const demo_scene &s, const answers &found, output_files &outputs,
-                 std::vector<std::string> &written) {
+void write_scene(const fs::path &folder, const demo_scene &s, const query &asked, const answers &found,
+                 output_files &outputs, std::vector<std::string> &written) {
   const bool balls_only = !is_mesh(s.a) && !is_mesh(s.b);
   const painted a{s.a, found.a.hit, s.name_a, picture::palette::green, picture::palette::yellow};
   const painted b{s.b, found.b.hit, s.name_b, picture::palette::blue,
@@ -38,9 +42,13 @@ void write_scene(const fs::path &folder, const demo_scene &s, const answers &fou
       outputs.write(path, [side](const fs::path &to) { write_coloured(to, *side); });
       written.push_back(path.string());
     }
-  const fs::path path = picture_path(folder, s);
-  outputs.write(path, [&](const fs::path &to) { write_picture(to, {a, b}); });
-  written.push_back(path.string());
+  const auto write = [&](const fs::path &path, const output_files::writer &writer) {
+    outputs.write(path, writer);
+    written.push_back(path.string());
+  };
+  write(picture_path(folder, s), [&](const fs::path &to) { write_picture(to, {a, b}); });
+  const collide_report report{s.name_a, s.name_b, s.a, s.b, asked, found, false, false, false, 0, "", {}, {}};
+  write(page_path(folder, s), [&](const fs::path &to) { write_page(to, a, b, report); });
 }
 
 } // namespace
@@ -50,6 +58,7 @@ std::string demo(const catalogue &all, const fs::path &folder, int threads) {
   output_files outputs;
   for (const demo_scene &s : scenes) {
     outputs.expect(picture_path(folder, s), true);
+    outputs.expect(page_path(folder, s), true);
     for (const auto &[set, name] : {std::pair(&s.a, &s.name_a), std::pair(&s.b, &s.name_b)})
       if (is_mesh(*set))
         outputs.expect(mesh_path(folder, *name), true);
@@ -62,6 +71,8 @@ std::string demo(const catalogue &all, const fs::path &folder, int threads) {
     query h;
     h.by = choose(all, *s.a.kind, *s.b.kind, {}, {});
     h.threads = threads;
+    h.keep = true;
+    h.elements = page_has_contacts(h);
     const answers found = collide_sets(s.a, s.b, h);
     const auto label = [](const std::string &name, const io::element_set &set) {
       return fmt::format("{}, {}", name, counted(set));
@@ -69,7 +80,7 @@ std::string demo(const catalogue &all, const fs::path &folder, int threads) {
     out += fmt::format(fmt::runtime(row), label(s.name_a, s.a), label(s.name_b, s.b), h.by.predicate->name,
                        grouped(found.pairs),
                        fmt::format("{:.1f} ms", 1000 * (found.prepare_seconds + found.collide_seconds)));
-    write_scene(folder, s, found, outputs, written);
+    write_scene(folder, s, h, found, outputs, written);
   }
   outputs.commit();
   out += "\nCertified answers, never wrong, on the CPU; a time covers preparing both sets and finding every pair.\n";
@@ -79,7 +90,8 @@ std::string demo(const catalogue &all, const fs::path &folder, int threads) {
 }
 
 command add_demo(CLI::App &program, const catalogue &all) {
-  CLI::App &c = *program.add_subcommand("demo", "Collide built-in bodies; write coloured meshes and pictures");
+  CLI::App &c = *program.add_subcommand(
+      "demo", "Collide built-in bodies; write coloured meshes, pictures and pages for a browser");
   const auto folder = std::make_shared<fs::path>("meet-demo");
   c.add_option("-o", *folder, "The folder to write to (./meet-demo)")->type_name("DIR");
   return {&c, [&all, folder] { return demo(all, *folder, 0); }};

@@ -5,6 +5,7 @@
 #include "meet/app/input/sets.hpp"
 #include "meet/app/output/output_files.hpp"
 #include "meet/app/output/paint.hpp"
+#include "meet/app/output/report_page.hpp"
 #include "meet/app/output/self_report.hpp"
 #include "meet/app/query/device_self.hpp"
 #include "meet/app/text/progress.hpp"
@@ -33,13 +34,15 @@ void check_outputs(const collide_request &q, output_files &outputs) {
     outputs.expect(*q.pairs);
   if (q.image)
     check_picture(*q.image), outputs.expect(*q.image);
+  if (q.page)
+    check_page(*q.page), outputs.expect(*q.page);
   if (q.colour && q.colour->empty())
     throw failure("--color: the folder's name is empty");
   if (q.colour)
     outputs.expect(*q.colour / "a.ply", true);
 }
 
-void write_all(const collide_request &q, output_files &outputs, self_report &report) {
+void write_all(const collide_request &q, const predicate_info &predicate, output_files &outputs, self_report &report) {
   const painted a{report.a, report.hit, q.a.filename().string(), picture::palette::green, picture::palette::yellow};
   if (q.pairs) {
     outputs.write(*q.pairs, [&report](const fs::path &to) { write_self_pairs(to, report); });
@@ -54,6 +57,10 @@ void write_all(const collide_request &q, output_files &outputs, self_report &rep
   if (q.image) {
     outputs.write(*q.image, [&a](const fs::path &to) { write_picture(to, {a}); });
     report.written.push_back(q.image->string());
+  }
+  if (q.page) {
+    outputs.write(*q.page, [&](const fs::path &to) { write_page(to, a, predicate, report, q.threads); });
+    report.written.push_back(q.page->string());
   }
   outputs.commit();
 }
@@ -111,13 +118,12 @@ printed collide_self(const catalogue &all, const catalogue &neighbours, const co
   options.merge = q.merge;
   options.owner = a.owner;
   options.progress = [&progress](double fraction) { (*progress)(fraction); };
-  find_on(q.on,
-          {find_predicate(all, "triangle_triangle"), find_predicate(neighbours, "beyond_corner"),
-           find_predicate(neighbours, "beyond_edge")},
+  const predicate_info &apart = find_predicate(all, "triangle_triangle");
+  find_on(q.on, {apart, find_predicate(neighbours, "beyond_corner"), find_predicate(neighbours, "beyond_edge")},
           options, report);
   progress.reset();
   name_faces(report);
-  write_all(q, outputs, report);
+  write_all(q, apart, outputs, report);
   return {q.json ? as_json(report) : summary(report),
           q.fail_on_touch && !report.found.pairs.empty() ? check_failed : done};
 }

@@ -228,27 +228,10 @@ std::string extension_of(const fs::path &to) {
   return io::lower_case(to.extension().string());
 }
 
-// By the processor that has found the pairs. Where that was a choice of ours and it fails, the CPU takes its place.
-template <class Real>
-contact_set<Real> find_contacts(const io::element_set &first, const io::element_set &second, const query &asked,
-                                const answers &found) {
-  if (found.on == processor::cuda)
-    try {
-      return contacts_on_device<Real>(first, second, *asked.by.predicate, found.element_pairs, asked.threads);
-    } catch (const failure &e) {
-      if (asked.on == processor::cuda || e.code() != no_device)
-        throw;
-    }
-  contact_options options;
-  options.threads = asked.threads;
-  return contacts<Real>(view_of(first), view_of(second), *asked.by.predicate, found.element_pairs, options);
-}
-
 template <class Real>
 contact_counts write_in(const fs::path &to, const io::element_set &a, const io::element_set &b, const query &asked,
                         const answers &found, output_files &outputs) {
-  const io::element_set &first = asked.by.swapped ? b : a, &second = asked.by.swapped ? a : b;
-  const contact_set<Real> c = find_contacts<Real>(first, second, asked, found);
+  const contact_set<Real> c = find_contacts<Real>(a, b, asked, found);
   for (std::size_t i = 0; i < c.witnesses.size(); ++i)
     if (!std::isfinite(c.witnesses[i])) {
       const index_pair &p = c.pairs[c.witness_pairs[i / 3]];
@@ -264,6 +247,37 @@ contact_counts write_in(const fs::path &to, const io::element_set &a, const io::
                          : extension == ".ply" ? as_ply(c)
                                                : as_json(named));
   });
+  return counts_of(c);
+}
+
+std::string some(std::size_t n, const char *what) {
+  return fmt::format("{} {}{}", grouped(n), what, n == 1 ? "" : "s");
+}
+
+} // namespace
+
+// By the processor that has found the pairs. Where that was a choice of ours and it fails, the CPU takes its place.
+template <class Real>
+contact_set<Real> find_contacts(const io::element_set &a, const io::element_set &b, const query &asked,
+                                const answers &found) {
+  const io::element_set &first = asked.by.swapped ? b : a, &second = asked.by.swapped ? a : b;
+  if (found.on == processor::cuda)
+    try {
+      return contacts_on_device<Real>(first, second, *asked.by.predicate, found.element_pairs, asked.threads);
+    } catch (const failure &e) {
+      if (asked.on == processor::cuda || e.code() != no_device)
+        throw;
+    }
+  contact_options options;
+  options.threads = asked.threads;
+  return contacts<Real>(view_of(first), view_of(second), *asked.by.predicate, found.element_pairs, options);
+}
+template contact_set<float> find_contacts(const io::element_set &, const io::element_set &, const query &,
+                                          const answers &);
+template contact_set<double> find_contacts(const io::element_set &, const io::element_set &, const query &,
+                                           const answers &);
+
+template <class Real> contact_counts counts_of(const contact_set<Real> &c) {
   return {c.nodes(),
           c.pieces.size(),
           c.polylines.size(),
@@ -273,12 +287,8 @@ contact_counts write_in(const fs::path &to, const io::element_set &a, const io::
           c.witness_pairs.size(),
           c.seconds};
 }
-
-std::string some(std::size_t n, const char *what) {
-  return fmt::format("{} {}{}", grouped(n), what, n == 1 ? "" : "s");
-}
-
-} // namespace
+template contact_counts counts_of(const contact_set<float> &);
+template contact_counts counts_of(const contact_set<double> &);
 
 void check_contact_file(const fs::path &to) {
   const std::string extension = extension_of(to);

@@ -13,6 +13,7 @@
 
 #include "meet/app/output/output_files.hpp"
 #include "meet/app/query/collide_sets.hpp"
+#include "meet/core/contacts/contacts.hpp"
 
 namespace meetc::app {
 
@@ -24,6 +25,13 @@ struct contact_counts {
 // Throws failure for a name with another extension, or a predicate without contacts.
 void check_contact_file(const std::filesystem::path &to);
 void require_contacts(const predicate_info &predicate);
+
+// The contacts of found.element_pairs, for float and double. The first operand is B where the predicate takes the sets in the
+// other order.
+template <class Real>
+contact_set<Real> find_contacts(const io::element_set &a, const io::element_set &b, const query &asked,
+                                const answers &found);
+template <class Real> contact_counts counts_of(const contact_set<Real> &contacts);
 
 // Finds the contacts of found.element_pairs and writes them. float64: coordinates are rounded to it, and not to float32.
 contact_counts write_contacts(const std::filesystem::path &to, bool float64, const io::element_set &a,

@@ -8,6 +8,7 @@
 #include "meet/picture/render.hpp"
 
 #include <fmt/format.h>
+#include <list>
 
 namespace meetc::app {
 
@@ -16,12 +17,6 @@ namespace {
 io::rgb bytes(picture::colour c) {
   return {c.r, c.g, c.b};
 }
-
-// Memory that a shape refers to.
-struct kept {
-  std::vector<std::uint8_t> hit; // one for each element
-  std::vector<float> rows;       // to draw, if they are not the set's own
-};
 
 // The two triangles of each of its six faces.
 constexpr std::size_t triangles_of_box = 12;
@@ -39,21 +34,23 @@ void add_box(const float *row, std::vector<float> &to) {
       }
 }
 
-picture::shape shape_of(const painted &side, kept &keep) {
+} // namespace
+
+drawn_side::drawn_side(const painted &side) : owner(side.set.owner) {
   const io::element_set &set = side.set;
-  keep.hit.resize(side.hit.empty() ? 0 : set.elements);
-  for (std::size_t i = 0; i < keep.hit.size(); ++i)
-    keep.hit[i] = side.hit[set.owner_of(i)];
-  picture::shape s;
+  picture::shape &s = shape;
+  hit_.resize(side.hit.empty() ? 0 : set.elements);
+  for (std::size_t i = 0; i < hit_.size(); ++i)
+    hit_[i] = side.hit[set.owner_of(i)];
   s.rows = set.data;
   if (!is_mesh(set) && !set.index.empty()) { // lines or points of a mesh
     const auto fields = static_cast<std::size_t>(set.kind->fields);
-    keep.rows.resize(fields * set.elements);
+    rows_.resize(fields * set.elements);
     for (std::size_t i = 0; i < set.elements; ++i)
-      set.row(i, &keep.rows[fields * i]);
-    s.rows = keep.rows;
+      set.row(i, &rows_[fields * i]);
+    s.rows = rows_;
   }
-  s.hit = keep.hit;
+  s.hit = hit_;
   s.base = side.base;
   s.hit_colour = side.hit_colour;
   s.name = side.name;
@@ -66,13 +63,16 @@ picture::shape shape_of(const painted &side, kept &keep) {
     s.parts = triangles_of_box;
     s.whole = set.kind->name;
     for (std::size_t i = 0; i < set.elements; ++i)
-      add_box(&set.data[6 * i], keep.rows);
-    s.rows = keep.rows;
-    std::vector<std::uint8_t> of_boxes = std::move(keep.hit);
-    keep.hit.clear();
+      add_box(&set.data[6 * i], rows_);
+    s.rows = rows_;
+    std::vector<std::uint8_t> of_boxes = std::move(hit_);
+    hit_.clear();
     for (const std::uint8_t hit : of_boxes)
-      keep.hit.insert(keep.hit.end(), triangles_of_box, hit);
-    s.hit = keep.hit;
+      hit_.insert(hit_.end(), triangles_of_box, hit);
+    owner.resize(triangles_of_box * set.elements);
+    for (std::size_t i = 0; i < owner.size(); ++i)
+      owner[i] = static_cast<std::uint32_t>(set.owner_of(i / triangles_of_box));
+    s.hit = hit_;
   } else if (!lies_along_axes(*set.kind) && set.kind->fields == 4) {
     s.what = picture::form::spheres;
   } else if (set.kind->points == 2) {
@@ -82,15 +82,12 @@ picture::shape shape_of(const painted &side, kept &keep) {
     std::vector<float> balls(4 * set.elements); // of radius 0
     for (std::size_t i = 0; i < set.elements; ++i)
       set.row(i, &balls[4 * i]);
-    keep.rows = std::move(balls);
-    s.rows = keep.rows;
+    rows_ = std::move(balls);
+    s.rows = rows_;
   } else {
     throw failure(fmt::format("a picture cannot show elements of kind {}", set.kind->name));
   }
-  return s;
 }
-
-} // namespace
 
 void check_picture(const std::filesystem::path &to) {
   const std::string extension = io::lower_case(to.extension().string());
@@ -109,10 +106,10 @@ void write_coloured(const std::filesystem::path &path, const painted &side) {
 
 void write_picture(const std::filesystem::path &path, const std::vector<painted> &sides, const picture::camera &from,
                    int width, int height) {
-  std::vector<kept> keep(sides.size());
+  std::list<drawn_side> drawn;
   std::vector<picture::shape> shapes;
-  for (std::size_t i = 0; i < sides.size(); ++i)
-    shapes.push_back(shape_of(sides[i], keep[i]));
+  for (const painted &side : sides)
+    shapes.push_back(drawn.emplace_back(side).shape);
   write_png(path, picture::render_panels(shapes, from, width, height));
 }
 

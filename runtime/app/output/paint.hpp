@@ -21,6 +21,20 @@ struct painted {
   picture::colour base, hit_colour;
 };
 
+// A side as it is drawn, and the memory that this refers to beside the set's own. Throws failure for a kind that cannot be
+// drawn.
+struct drawn_side {
+  explicit drawn_side(const painted &side);
+  drawn_side(const drawn_side &) = delete;
+  drawn_side &operator=(const drawn_side &) = delete;
+  picture::shape shape;
+  std::vector<std::uint32_t> owner; // the item of each drawn element; empty: they are one to one
+
+private:
+  std::vector<std::uint8_t> hit_; // one for each element
+  std::vector<float> rows_;       // to draw, if they are not the set's own
+};
+
 // Writes the mesh with a bright colour on every face that is hit and a calm one elsewhere.
 void write_coloured(const std::filesystem::path &path, const painted &side);
 

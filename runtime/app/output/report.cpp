@@ -80,6 +80,8 @@ std::string tolerance_lines(const query &q) {
                      std::ilogb(q.grid), moved_by_grid(*q.by.predicate, q.grid));
 }
 
+} // namespace
+
 std::string answer_line(const collide_report &r) {
   const answers &f = r.found;
   if (r.asked.any)
@@ -89,8 +91,6 @@ std::string answer_line(const collide_report &r) {
   return fmt::format("{} {}: {} of A, {} of B.\n", grouped(f.pairs), f.pairs == 1 ? "pair touches" : "pairs touch",
                      counted(r.a, f.a.touched), counted(r.b, f.b.touched));
 }
-
-} // namespace
 
 std::string device_line(const device_account &d) {
   return fmt::format("on {}: {:.3f} s to start, {:.6f} s of kernels\n",

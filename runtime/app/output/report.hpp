@@ -30,6 +30,9 @@ std::vector<std::string> all_notes(const collide_report &r);
 
 std::string summary(const collide_report &r);
 
+// The answer in words, and a newline.
+std::string answer_line(const collide_report &r);
+
 // "on NVIDIA H200: 0.300 s to start, 0.001000 s of kernels" and a newline.
 std::string device_line(const device_account &d);
 

@@ -15,7 +15,7 @@ namespace meetc::app {
 namespace {
 
 // The faces of the pairs of elements, in their order.
-std::vector<index_pair> pairs_of_faces(const self_report &r) {
+std::vector<index_pair> faces_of_pairs(const self_report &r) {
   std::vector<index_pair> out = r.found.pairs;
   for (index_pair &p : out)
     p = {static_cast<std::uint32_t>(r.a.owner_of(p.a)), static_cast<std::uint32_t>(r.a.owner_of(p.b))};
@@ -42,10 +42,15 @@ std::string area_line(const self_report &r) {
 
 } // namespace
 
+std::vector<index_pair> pairs_of_faces(const self_report &r) {
+  std::vector<index_pair> out = faces_of_pairs(r);
+  sort_pairs(out);
+  drop_repeats(out);
+  return out;
+}
+
 void name_faces(self_report &r) {
-  std::vector<index_pair> faces = pairs_of_faces(r);
-  sort_pairs(faces);
-  drop_repeats(faces);
+  const std::vector<index_pair> faces = pairs_of_faces(r);
   r.pairs = faces.size();
   r.hit.assign(r.a.items, 0);
   for (const index_pair p : faces)
@@ -60,7 +65,7 @@ void name_faces(self_report &r) {
 }
 
 void write_self_pairs(const std::filesystem::path &to, const self_report &r) {
-  const std::vector<index_pair> faces = pairs_of_faces(r);
+  const std::vector<index_pair> faces = faces_of_pairs(r);
   if (r.a.owner.empty())
     return io::write_pairs_csv(to, faces);
   io::write_pairs_csv(to, faces, ",triangle_a,triangle_b", [&r](std::size_t i, std::string &line) {

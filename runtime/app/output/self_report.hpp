@@ -34,6 +34,9 @@ struct self_report {
 
 void name_faces(self_report &r);
 
+// The pairs of faces, sorted, each once.
+std::vector<index_pair> pairs_of_faces(const self_report &r);
+
 // A line `a,b`, then a row for each pair of faces; where polygons were cut, for each pair of triangles, whose numbers follow
 // as triangle_a and triangle_b.
 void write_self_pairs(const std::filesystem::path &to, const self_report &r);

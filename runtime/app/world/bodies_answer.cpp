@@ -30,21 +30,6 @@ std::string touching_in_words(const bodies_scene &s, const frame_answer &f, bool
   return out.empty() ? "nothing touches" : out;
 }
 
-// The bodies of which it is unknown whether one lies inside the other, with the first reason and the number of frames.
-std::string unknown_in_words(const bodies_scene &s, const std::vector<frame_answer> &frames) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<std::string, std::size_t>> all;
-  for (const frame_answer &f : frames)
-    for (const nested_bodies &n : f.found.nested)
-      if (n.how == nesting::unknown)
-        ++all.try_emplace({n.a, n.b}, n.why, 0).first->second.second;
-  std::string out;
-  for (const auto &[bodies, why] : all)
-    out += fmt::format(
-        "Unknown whether {} or {} is inside the other{}: {}.\n", s.names[bodies.first], s.names[bodies.second],
-        frames.size() == 1 ? "" : fmt::format(", in {} of {} frames", why.second, frames.size()), why.first);
-  return out;
-}
-
 json nested_as_json(const bodies_scene &s, const world_answer &found) {
   json inside = json::array(), overlapping = json::array(), unknown = json::array();
   for (const nested_bodies &n : found.nested) {
@@ -61,6 +46,21 @@ json nested_as_json(const bodies_scene &s, const world_answer &found) {
 }
 
 } // namespace
+
+// The first reason of several frames.
+std::vector<std::string> unknown_in_lines(const bodies_scene &s, const std::vector<frame_answer> &frames) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<std::string, std::size_t>> all;
+  for (const frame_answer &f : frames)
+    for (const nested_bodies &n : f.found.nested)
+      if (n.how == nesting::unknown)
+        ++all.try_emplace({n.a, n.b}, n.why, 0).first->second.second;
+  std::vector<std::string> out;
+  for (const auto &[bodies, why] : all)
+    out.push_back(fmt::format(
+        "Unknown whether {} or {} is inside the other{}: {}.", s.names[bodies.first], s.names[bodies.second],
+        frames.size() == 1 ? "" : fmt::format(", in {} of {} frames", why.second, frames.size()), why.first));
+  return out;
+}
 
 std::string summary(const bodies_request &q, const bodies_scene &s, const std::vector<frame_answer> &frames) {
   std::string out;
@@ -85,7 +85,8 @@ std::string summary(const bodies_request &q, const bodies_scene &s, const std::v
     candidates += f.found.candidates, near += f.found.near;
     pose += f.found.pose_seconds, collide += f.found.collide_seconds;
   }
-  out += unknown_in_words(s, frames);
+  for (const std::string &line : unknown_in_lines(s, frames))
+    out += line + '\n';
   out += fmt::format("\n{}, on the {}: {} pairs of bodies near each other, {} candidate pairs decided\n",
                      name_of(q.precision), s.device.empty() ? "CPU" : s.device, grouped(near), grouped(candidates));
   out += fmt::format("read {:.3f} s, prepare {:.3f} s, pose {:.3f} s, collide {:.3f} s\n", s.read_seconds,

@@ -4,8 +4,10 @@
 #include "meet/app/input/kinds.hpp"
 #include "meet/app/input/sets.hpp"
 #include "meet/app/output/output_files.hpp"
+#include "meet/app/output/report_page.hpp"
 #include "meet/app/text/progress.hpp"
 #include "meet/app/world/bodies_answer.hpp"
+#include "meet/app/world/bodies_page.hpp"
 #include "meet/app/world/poses_file.hpp"
 #include "meet/app/world/srdf_file.hpp"
 #include "meet/app/world/world_on.hpp"
@@ -85,15 +87,14 @@ std::vector<std::string> write_pairs(const bodies_request &q, const bodies_scene
       outputs.write(to, [&t](const fs::path &file) { io::write_pairs_csv(file, t.found.pairs); });
       written.push_back(to.string());
     }
-  outputs.commit();
   return written;
 }
 
 } // namespace
 
 bodies_report collide_bodies(const catalogue &all, const bodies_request &q) {
-  if (q.any && q.pairs)
-    throw failure("--any stops at the first pair and keeps none; --pairs needs them all");
+  if (q.any && (q.pairs || q.page))
+    throw failure("--any stops at the first pair and keeps none; --pairs and --report need them all");
   world_source from = q.world ? read_world(*q.world) : world_of_files(q.files);
   std::vector<fs::path> inputs;
   for (const body_source &b : from.bodies)
@@ -101,6 +102,8 @@ bodies_report collide_bodies(const catalogue &all, const bodies_request &q) {
   output_files outputs(inputs);
   if (q.pairs)
     outputs.expect(*q.pairs / "pairs.csv", true);
+  if (q.page)
+    outputs.expect(*q.page), check_page(*q.page);
   from.allowed.insert(from.allowed.end(), q.allowed.begin(), q.allowed.end());
   bodies_scene s(all, q.mode);
   try {
@@ -150,7 +153,12 @@ bodies_report collide_bodies(const catalogue &all, const bodies_request &q) {
         break;
     }
   }
-  const std::vector<std::string> written = q.pairs ? write_pairs(q, s, answers, outputs) : std::vector<std::string>{};
+  std::vector<std::string> written = q.pairs ? write_pairs(q, s, answers, outputs) : std::vector<std::string>{};
+  if (q.page) {
+    outputs.write(*q.page, [&](const fs::path &to) { write_bodies_page(to, s, from, frames, answers, q.precision); });
+    written.push_back(q.page->string());
+  }
+  outputs.commit();
   report.text = q.json ? in_one_line(as_json(q, s, answers)) + '\n' : summary(q, s, answers);
   if (!q.json)
     for (const std::string &file : written)

@@ -24,6 +24,7 @@ struct bodies_request {
   processor on = processor::cpu;
   bool any = false, json = false;
   std::optional<std::filesystem::path> pairs; // a folder
+  std::optional<std::filesystem::path> page;
   int threads = 0;
 };
 

@@ -17,15 +17,17 @@ TEST_CASE("the demo writes what it says and its meshes give the counts it prints
       ++written;
       CHECK(fs::file_size(folder() / line.substr(6)) > 10000);
     }
-  CHECK(written == 8);
+  CHECK(written == 12);
   CHECK(files_in(at("show")) == written);
   const std::uint64_t pairs = answer({"show/animal.ply", "show/figure.ply"})["pairs"];
   CHECK(pairs == 1690);
   CHECK(has(s.out, "1,690"));
   // It can be run again, with the same files.
   const std::string before = get(at("show/animal-figure.png"));
+  const std::string page = get(at("show/animal-figure.html"));
   CHECK(run({"demo", "-o", "show"}).code == 0);
   CHECK(get(at("show/animal-figure.png")) == before);
+  CHECK(get(at("show/animal-figure.html")) == page);
 }
 
 TEST_CASE("a folder that cannot be used") {
