@@ -20,13 +20,10 @@ py::tuple self(const std::shared_ptr<prepared> &set, const py::array &numbers, c
   options.merge = merge;
   options.owner = owners_of(owner);
   options.progress = check_signals();
-  const self_predicates by{find_predicate(cga::catalogue(), "triangle_triangle"),
-                           find_predicate(neighbours::catalogue(), "beyond_corner"),
-                           find_predicate(neighbours::catalogue(), "beyond_edge")};
   self_result found;
   {
     const py::gil_scoped_release others_run;
-    found = self_pairs(*set, elements, by, options);
+    found = self_pairs(*set, elements, of_one_mesh(), options);
   }
   const auto rows = static_cast<py::ssize_t>(found.pairs.size());
   return py::make_tuple(as_array<std::int32_t>(std::move(found.pairs), {rows, 2}),
@@ -34,6 +31,13 @@ py::tuple self(const std::shared_ptr<prepared> &set, const py::array &numbers, c
 }
 
 } // namespace
+
+const self_predicates &of_one_mesh() {
+  static const self_predicates by{find_predicate(cga::catalogue(), "triangle_triangle"),
+                                  find_predicate(neighbours::catalogue(), "beyond_corner"),
+                                  find_predicate(neighbours::catalogue(), "beyond_edge")};
+  return by;
+}
 
 void bind_self(py::module_ &module) {
   module.def("self_pairs", &self, py::arg("set"), py::arg("numbers"), py::arg("index"), py::arg("owner"),

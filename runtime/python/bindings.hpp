@@ -2,6 +2,7 @@
 #ifndef MEETC_PYTHON_BINDINGS_HPP
 #define MEETC_PYTHON_BINDINGS_HPP
 
+#include "meet/core/query/self_pairs.hpp"
 #include "meetc/table/table.hpp"
 
 #include <pybind11/pybind11.h>
@@ -23,6 +24,8 @@ void bind_device(pybind11::module_ &module); // in a build with CUDA
 const kind_info &kind_named(std::string_view name);
 const predicate_info &predicate_named(std::string_view name);
 rung rung_named(std::string_view name);
+// Those that find where a mesh of triangles crosses itself.
+const self_predicates &of_one_mesh();
 
 } // namespace meetc::python
 

@@ -118,13 +118,57 @@ class Pairs(unittest.TestCase):
 
     def test_bad_input(self):
         square, ball = Set(SQUARE, SQUARE_FACES), Set.spheres([[0, 0, 0]], [1])
-        with self.assertRaisesRegex(meetc.InputError, "^contacts: it is asked of triangles, or of segments .* not of ball"):
-            meetc.contacts(ball, square)
+        boxes = Set.boxes([[0, 0, 0]], [[1, 1, 1]])
+        with self.assertRaisesRegex(meetc.InputError, "^contacts: it is asked of two meshes, .* not of box and box"):
+            meetc.contacts(boxes, boxes)
+        with self.assertRaisesRegex(meetc.InputError, "^check_embedded: it is asked of two meshes, not of ball and triangle"):
+            meetc.contacts(ball, square, check_embedded=True)
         with self.assertRaisesRegex(TypeError, "^dtype: points are float32 or float64, not int64$"):
             meetc.contacts(square, square, dtype=int)
         with self.assertRaisesRegex(IndexError, "^exact: there is no point 99; there are 4$"):
             meetc.contacts(square, square).exact(99)
         self.assertEqual(len(meetc.contacts(square, Set(SQUARE + 9, SQUARE_FACES)).points), 0)
+
+
+    def test_embedded_meshes_are_told(self):
+        square, twice = Set(SQUARE, SQUARE_FACES), Set(SQUARE, np.concatenate([SQUARE_FACES, SQUARE_FACES[:1]]))
+        self.assertIsNone(meetc.contacts(square, square).embedded)
+        self.assertIs(meetc.contacts(square, square, check_embedded=True).embedded, True)
+        self.assertIs(meetc.contacts(square, twice, check_embedded=True).embedded, False)
+
+
+class Round(unittest.TestCase):
+    def test_balls_and_segments_meet_in_roots(self):
+        balls, lines = Set.spheres([[5, 5, 5], [0, 0, 0]], [1, 1]), Set.segments([[0, 0, 0]], [[2, 2, 0]])
+        for found, on in ((meetc.contacts(balls, lines), "on_a"), (meetc.contacts(lines, balls), "on_b")):
+            self.assertEqual(len(found), 1)
+            self.assertEqual(getattr(found, on)["dimension"].tolist(), [3, 2])
+            self.assertEqual(found.points.tolist(), [[0, 0, 0], [0.5**0.5, 0.5**0.5, 0]])
+            self.assertEqual(found.exact(0), (0, 0, 0))
+            x, y, z = found.exact(1)
+            self.assertEqual((x, z), (y, 0))
+            self.assertEqual(x.rational**2 + x.factor**2 * x.radicand, Fraction(1, 2))
+            self.assertEqual(float(x), 0.5**0.5)
+            self.assertEqual(pickle.loads(pickle.dumps(found)).exact(1), (x, y, z))
+
+    def test_roots_are_rounded_once(self):
+        rng = np.random.default_rng(5)
+        ends = rng.normal(size=(200, 2, 3)).astype(np.float32)
+        for solid in (True, False):
+            found = meetc.contacts(Set.spheres([[0.1, 0.2, 0.3]], [0.9], solid=solid), Set.segments(ends[:, 0], ends[:, 1]))
+            self.assertGreater(len(found.points), 50)
+            for i, at in enumerate(found.points):
+                self.assertEqual([float(x) for x in found.exact(i)], at.tolist())
+
+    def test_witnesses_lie_on_both(self):
+        balls, mesh = Set.spheres([[0.25, 0.25, 0.5], [9, 9, 9]], [1, 1]), Set(SQUARE, SQUARE_FACES)
+        found = meetc.contacts(balls, mesh)
+        self.assertEqual((len(found.points), found.witness_pairs.tolist()), (0, list(range(len(found)))))
+        self.assertTrue(0 < len(found) == len(found.witnesses))
+        for x, y, z in found.witnesses:
+            self.assertTrue(abs(z) < 1e-12 and (x - 0.25) ** 2 + (y - 0.25) ** 2 + 0.25 <= 1 + 1e-12)
+        self.assertIn("witness", repr(found))
+        self.assertIn("witnesses", found._repr_html_())
 
 
 def on_line(x, p, q):

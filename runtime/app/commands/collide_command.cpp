@@ -39,6 +39,8 @@ void check_outputs(const collide_request &q, output_files &outputs) {
     throw failure("--contacts are exact and go with no --tolerance");
   if (q.contacts_float64 && !q.contacts)
     throw failure("--contacts-float64: the file is missing; write --contacts out.obj as well");
+  if (q.contacts_embedded && !q.contacts)
+    throw failure("--contacts-embedded: the file is missing; write --contacts out.obj as well");
   if (q.pairs)
     outputs.expect(*q.pairs);
   if (q.contacts) {
@@ -123,7 +125,7 @@ void write_all(const collide_request &q, const std::optional<formula_choice> &fo
 
 } // namespace
 
-printed collide(const catalogue &all, const collide_request &q) {
+printed collide(const catalogue &all, const catalogue &neighbours, const collide_request &q) {
   output_files outputs({q.a, q.b});
   check_outputs(q, outputs);
   const auto start = std::chrono::steady_clock::now();
@@ -152,6 +154,12 @@ printed collide(const catalogue &all, const collide_request &q) {
   h.elements = q.contacts.has_value() || (q.page && page_has_contacts(h));
   if (q.contacts)
     require_contacts(*h.by.predicate);
+  const self_predicates of_mesh = of_one_mesh(all, neighbours);
+  if (q.contacts_embedded && !(is_mesh(a) && is_mesh(b)))
+    throw failure(fmt::format("--contacts-embedded goes with two meshes; here are {} and {}", plural_of(a.kind->name),
+                              plural_of(b.kind->name)));
+  if (q.contacts_embedded)
+    h.embedded_by = &of_mesh;
   h.first = q.first.has_value();
   h.threads = q.threads;
   h.devices = q.devices;

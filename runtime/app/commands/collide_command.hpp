@@ -24,7 +24,7 @@ struct collide_request {
   bool any = false, json = false, fail_on_touch = false;
   bool self = false, merge = true; // A with itself; its corners with equal coordinates are one
   std::optional<std::filesystem::path> pairs, first, contacts, colour, image, page;
-  bool contacts_float64 = false;
+  bool contacts_float64 = false, contacts_embedded = false;
   std::vector<std::string> evaluate; // a formula and the file for its values, or none
   int threads = 0;
   int devices = 1;
@@ -33,7 +33,7 @@ struct collide_request {
 
 // Writes the requested files and returns the text for standard output; with fail_on_touch the exit code is check_failed where
 // something touches. If a set leaves the scene's box, a line on standard error warns of it. Throws io::error.
-printed collide(const catalogue &all, const collide_request &request);
+printed collide(const catalogue &all, const catalogue &neighbours, const collide_request &request);
 
 // The command and its options. `neighbours` has the predicates of `--self`.
 command add_collide(CLI::App &program, const kernel_library &all, const kernel_library &neighbours);

@@ -131,11 +131,15 @@ void add_answers(CLI::App &c, arguments &to) {
   c.add_option(
        "--contacts", q.contacts,
        "Write where the pairs of triangles, of segments and triangles, or of spheres and segments, meet: .csv, a row "
-       "for "
-       "each corner of a pair's contact; .obj or .ply, polylines and flat polygons; .json, all of it. Each coordinate "
+       "for each corner of a pair's contact; .obj or .ply, polylines and flat polygons; .json, all of it. Each "
+       "coordinate "
        "is the exact one, rounded once to float32. Other pairs of spheres get a witness each, a point of both")
       ->type_name("out.csv|obj|ply|json");
   c.add_flag("--contacts-float64", q.contacts_float64, "Round the coordinates of --contacts to float64")
+      ->disable_flag_override();
+  c.add_flag("--contacts-embedded", q.contacts_embedded,
+             "With --contacts of two meshes, also tell whether both are embedded: their faces meet in common vertices "
+             "and edges alone, and all have area. Then no two nodes are one point")
       ->disable_flag_override();
   c.add_option(
        "--evaluate", q.evaluate,
@@ -214,8 +218,8 @@ command add_collide(CLI::App &program, const kernel_library &all, const kernel_l
               throw failure("A is required (meet collide --help says more)");
             const collide_request &q = read(*args);
             const catalogue &kernels = kernels_named(all, args->instruction_set);
-            return q.self ? collide_self(kernels, kernels_named(neighbours, args->instruction_set), q)
-                          : collide(kernels, q);
+            const catalogue &of_neighbours = kernels_named(neighbours, args->instruction_set);
+            return q.self ? collide_self(kernels, of_neighbours, q) : collide(kernels, of_neighbours, q);
           }};
 }
 

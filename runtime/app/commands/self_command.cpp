@@ -118,12 +118,11 @@ printed collide_self(const catalogue &all, const catalogue &neighbours, const co
   options.merge = q.merge;
   options.owner = a.owner;
   options.progress = [&progress](double fraction) { (*progress)(fraction); };
-  const predicate_info &apart = find_predicate(all, "triangle_triangle");
-  find_on(q.on, {apart, find_predicate(neighbours, "beyond_corner"), find_predicate(neighbours, "beyond_edge")},
-          options, report);
+  const self_predicates by = of_one_mesh(all, neighbours);
+  find_on(q.on, by, options, report);
   progress.reset();
   name_faces(report);
-  write_all(q, apart, outputs, report);
+  write_all(q, by.apart, outputs, report);
   return {q.json ? as_json(report) : summary(report),
           q.fail_on_touch && !report.found.pairs.empty() ? check_failed : done};
 }

@@ -212,7 +212,7 @@ template <class Real> std::string as_json(const named_contacts<Real> &c) {
     patches.push_back({{"pair", c.of.patch_pairs[i]}, {"nodes", list(c.of.patches[i])}});
   for (std::size_t i = 0; i < c.of.witness_pairs.size(); ++i)
     witnesses.push_back({{"pair", c.of.witness_pairs[i]}, {"at", at(c.of.witnesses.data() + 3 * i)}});
-  return in_one_line({{"embedded", contact_set<Real>::embedded},
+  return in_one_line({{"embedded", name_of(c.of.embedded)},
                       {"coordinates", sizeof(Real) == 4 ? "float32" : "float64"},
                       {"nodes", std::move(nodes)},
                       {"pairs", std::move(pairs)},
@@ -261,15 +261,16 @@ template <class Real>
 contact_set<Real> find_contacts(const io::element_set &a, const io::element_set &b, const query &asked,
                                 const answers &found) {
   const io::element_set &first = asked.by.swapped ? b : a, &second = asked.by.swapped ? a : b;
+  contact_options options;
+  options.threads = asked.threads;
+  options.embedded_by = asked.embedded_by;
   if (found.on == processor::cuda)
     try {
-      return contacts_on_device<Real>(first, second, *asked.by.predicate, found.element_pairs, asked.threads);
+      return contacts_on_device<Real>(first, second, *asked.by.predicate, found.element_pairs, options);
     } catch (const failure &e) {
       if (asked.on == processor::cuda || e.code() != no_device)
         throw;
     }
-  contact_options options;
-  options.threads = asked.threads;
   return contacts<Real>(view_of(first), view_of(second), *asked.by.predicate, found.element_pairs, options);
 }
 template contact_set<float> find_contacts(const io::element_set &, const io::element_set &, const query &,
@@ -285,6 +286,7 @@ template <class Real> contact_counts counts_of(const contact_set<Real> &c) {
           c.patches.size(),
           c.single_nodes.size(),
           c.witness_pairs.size(),
+          c.embedded,
           c.seconds};
 }
 template contact_counts counts_of(const contact_set<float> &);
@@ -295,6 +297,10 @@ void check_contact_file(const fs::path &to) {
   if (extension != ".csv" && extension != ".obj" && extension != ".ply" && extension != ".json")
     throw failure(fmt::format("--contacts {}: contacts are written as .csv, .obj, .ply or .json; name it {}",
                               to.string(), fs::path(to).replace_extension(".obj").string()));
+}
+
+const char *name_of(embedding e) {
+  return e == embedding::unchecked ? "unchecked" : e == embedding::embedded ? "yes" : "no";
 }
 
 void require_contacts(const predicate_info &predicate) {
@@ -319,6 +325,10 @@ std::string in_words(const contact_counts &c) {
     out += fmt::format(", {}", some(c.patches, "flat polygon"));
   if (c.single_nodes > 0)
     out += fmt::format(", {}", some(c.single_nodes, "single point"));
+  if (c.embedded == embedding::embedded)
+    out += "; both meshes are embedded, so that nodes and points are one to one";
+  else if (c.embedded == embedding::not_embedded)
+    out += "; a mesh is not embedded (--self lists why), so that several nodes may be one point";
   return out;
 }
 

@@ -19,8 +19,12 @@ namespace meetc::app {
 
 struct contact_counts {
   std::size_t nodes = 0, pieces = 0, polylines = 0, closed = 0, patches = 0, single_nodes = 0, witnesses = 0;
+  embedding embedded = embedding::unchecked;
   double seconds = 0; // to find them, without writing
 };
+
+// "yes", "no" or "unchecked"
+const char *name_of(embedding e);
 
 // Throws failure for a name with another extension, or a predicate without contacts.
 void check_contact_file(const std::filesystem::path &to);

@@ -58,9 +58,10 @@ std::string as_json(const collide_report &r) {
               {"predicate", r.asked.by.predicate->name},
               {"mode", r.asked.by.predicate->mode}};
   if (const auto &c = r.contacts)
-    out["contacts"] = {{"nodes", c->nodes},         {"pieces", c->pieces},    {"polylines", c->polylines},
-                       {"closed", c->closed},       {"patches", c->patches},  {"single_nodes", c->single_nodes},
-                       {"witnesses", c->witnesses}, {"embedded", "unchecked"}};
+    out["contacts"] = {{"nodes", c->nodes},         {"pieces", c->pieces},
+                       {"polylines", c->polylines}, {"closed", c->closed},
+                       {"patches", c->patches},     {"single_nodes", c->single_nodes},
+                       {"witnesses", c->witnesses}, {"embedded", name_of(c->embedded)}};
   if (r.asked.tolerance > 0) {
     out["tolerance"] = r.asked.tolerance;
     out["grid"] = r.asked.grid;

@@ -1,6 +1,7 @@
 #include "meet/app/query/choose.hpp"
 
 #include "meet/app/input/failure.hpp"
+#include "meet/core/query/find.hpp"
 
 #include <fmt/format.h>
 
@@ -78,6 +79,11 @@ choice choose(const catalogue &all, const kind_info &a, const kind_info &b, cons
   if (const std::optional<choice> c = first_for(fit, wanted))
     return *c;
   throw failure(fmt::format("no predicate for {} in --mode {}; there is: {}", kinds, wanted, names_of(fit)));
+}
+
+self_predicates of_one_mesh(const catalogue &all, const catalogue &neighbours) {
+  return {find_predicate(all, "triangle_triangle"), find_predicate(neighbours, "beyond_corner"),
+          find_predicate(neighbours, "beyond_edge")};
 }
 
 const char *name_of(rung precision) {

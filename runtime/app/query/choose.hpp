@@ -3,6 +3,7 @@
 #define MEETC_APP_QUERY_CHOOSE_HPP
 
 #include "meet/core/query/fitting.hpp"
+#include "meet/core/query/self_pairs.hpp"
 
 #include <optional>
 #include <string>
@@ -17,6 +18,9 @@ std::string mode_named(const std::optional<std::string> &mode);
 // failure that lists those that fit.
 choice choose(const catalogue &all, const kind_info &a, const kind_info &b, const std::optional<std::string> &name,
               const std::optional<std::string> &mode);
+
+// Those that find where a mesh of triangles crosses itself.
+self_predicates of_one_mesh(const catalogue &all, const catalogue &neighbours);
 
 // The name of a rung, such as "exact".
 const char *name_of(rung precision);

@@ -6,6 +6,7 @@
 #include "meet/app/query/device_pairs.hpp"
 #include "meet/core/hierarchy/box.hpp"
 #include "meet/core/query/collide.hpp"
+#include "meet/core/query/self_pairs.hpp"
 #include "meet/io/elements/element_set.hpp"
 
 #include <functional>
@@ -43,11 +44,12 @@ struct query {
   float box = 0;     // of the scene; 0: none
   bool any = false;  // stop at the first pair
   bool keep = false; // keep the list of pairs; without it, and without polygons, memory does not grow with the pairs
-  bool elements = false;         // keep the list of pairs of elements as well, such as the triangles of polygons
-  bool first = false;            // of each segment, the pair with the triangle that it meets first
-  int threads = 0;               // 0: all cores
-  processor on = processor::cpu; // best: the one that is expected to be the faster
-  int devices = 1;               // the number of devices that share the query
+  bool elements = false; // keep the list of pairs of elements as well, such as the triangles of polygons
+  bool first = false;    // of each segment, the pair with the triangle that it meets first
+  const self_predicates *embedded_by = nullptr; // with contacts: also tell whether both meshes are embedded
+  int threads = 0;                              // 0: all cores
+  processor on = processor::cpu;                // best: the one that is expected to be the faster
+  int devices = 1;                              // the number of devices that share the query
   std::function<void(double fraction)> progress = {};
 };
 

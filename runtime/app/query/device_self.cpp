@@ -42,9 +42,8 @@ device_self self_pairs_on_device(const io::element_set &mesh, const self_predica
 
 template <class Real>
 contact_set<Real> contacts_on_device(const io::element_set &a, const io::element_set &b,
-                                     const predicate_info &predicate, std::span<const index_pair> pairs, int threads) {
-  contact_options options;
-  options.threads = threads;
+                                     const predicate_info &predicate, std::span<const index_pair> pairs,
+                                     const contact_options &options) {
   try {
     return contacts<Real>(device(cga::cuda::catalogue()), view_of(a), view_of(b), predicate, pairs, options);
   } catch (const device_error &e) {
@@ -57,14 +56,15 @@ device_self self_pairs_on_device(const io::element_set &, const self_predicates 
 }
 template <class Real>
 contact_set<Real> contacts_on_device(const io::element_set &, const io::element_set &, const predicate_info &,
-                                     std::span<const index_pair>, int) {
+                                     std::span<const index_pair>, const contact_options &) {
   throw failure("this build has no CUDA kernels", no_device);
 }
 #endif
 
 template contact_set<float> contacts_on_device(const io::element_set &, const io::element_set &, const predicate_info &,
-                                               std::span<const index_pair>, int);
+                                               std::span<const index_pair>, const contact_options &);
 template contact_set<double> contacts_on_device(const io::element_set &, const io::element_set &,
-                                                const predicate_info &, std::span<const index_pair>, int);
+                                                const predicate_info &, std::span<const index_pair>,
+                                                const contact_options &);
 
 } // namespace meetc::app

@@ -19,7 +19,8 @@ struct device_self {
 device_self self_pairs_on_device(const io::element_set &mesh, const self_predicates &by, const self_options &options);
 template <class Real>
 contact_set<Real> contacts_on_device(const io::element_set &a, const io::element_set &b,
-                                     const predicate_info &predicate, std::span<const index_pair> pairs, int threads);
+                                     const predicate_info &predicate, std::span<const index_pair> pairs,
+                                     const contact_options &options);
 
 } // namespace meetc::app
 

@@ -8,6 +8,7 @@
 #include "meet/core/views/rows.hpp"
 
 #include <chrono>
+#include <cstring>
 #include <stdexcept>
 
 namespace meetc {
@@ -109,6 +110,24 @@ private:
   }
 };
 
+bool same_mesh(const view &a, const view &b) {
+  return a.data == b.data && a.vertices == b.vertices && a.stride_bytes == b.stride_bytes && a.index == b.index &&
+         a.elements == b.elements;
+}
+bool is_embedded(const view &mesh, const kind_info &kind, const pose &at, const contact_options &options) {
+  const prepared set = prepare(mesh, kind, at, options.threads);
+  self_options quietly;
+  quietly.threads = options.threads;
+  const self_result crossing = self_pairs(set, mesh, *options.embedded_by, quietly);
+  return crossing.pairs.empty() && crossing.degenerate.empty();
+}
+embedding find_embedding(const view &a, const view &b, const contact_options &options) {
+  const kind_info &kind = *options.embedded_by->apart.a;
+  const bool one = same_mesh(a, b) && std::memcmp(&options.at_a, &options.at_b, sizeof options.at_a) == 0;
+  const bool both = is_embedded(a, kind, options.at_a, options) && (one || is_embedded(b, kind, options.at_b, options));
+  return both ? embedding::embedded : embedding::not_embedded;
+}
+
 } // namespace
 
 template <class Real>
@@ -120,7 +139,12 @@ contact_set<Real> contacts_by(contact_steps<Real> &steps, const view &a, const v
             std::string(predicate.name) + " has none: its scene asks for no sign that its `contacts` names");
     require_set(a, *predicate.a, options.at_a);
     require_set(b, *predicate.b, options.at_b);
+    if (options.embedded_by)
+      require(predicate.a == options.embedded_by->apart.a && predicate.b == predicate.a,
+              "embedded_by goes with two sets of triangles");
     contact_set<Real> out = finding<Real>(predicate, pairs).run(steps, a, b, options);
+    if (options.embedded_by)
+      out.embedded = find_embedding(a, b, options);
     out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return out;
   });

@@ -3,8 +3,8 @@
 //
 // A pair's corners are named by the parts of both elements on which they lie (a vertex, an edge, a face), and corners of one
 // name are one node: names are compared, not coordinates. Vertices of equal coordinates are one vertex (+0 and -0 are equal),
-// whatever their indices. If both meshes are embedded (no two faces meet but in common vertices and edges), nodes and points
-// are one to one; that is not checked, and elsewhere several nodes may be one point. Names and their order are exact. Each
+// whatever their indices. If both meshes are embedded (no two faces meet but in common vertices and edges, and all have area),
+// nodes and points are one to one; elsewhere several nodes may be one point. Names and their order are exact. Each
 // coordinate is the exact one, rounded once, to the nearest number and of two to the even one; so rounded points need not
 // lie on the elements. The answer is the same, bit for bit, for any number of threads.
 //
@@ -15,6 +15,7 @@
 #define MEETC_CORE_CONTACTS_CONTACTS_HPP
 
 #include "meet/core/answers/answers.hpp"
+#include "meet/core/query/self_pairs.hpp"
 #include "meet/core/views/pose.hpp"
 #include "meet/core/views/view.hpp"
 #include "meetc/contact/code.hpp"
@@ -67,9 +68,11 @@ struct touched_rows {
   std::vector<float> rows;
 };
 
-template <class Real> struct contact_set {
-  static constexpr const char *embedded = "unchecked";
+// Whether both meshes are embedded, so that nodes and points are one to one.
+enum class embedding : std::uint8_t { unchecked, embedded, not_embedded };
 
+template <class Real> struct contact_set {
+  embedding embedded = embedding::unchecked;
   std::vector<index_pair> pairs;        // as they were given
   std::vector<std::uint64_t> codes;     // of each pair: its contact_code
   node_lists corners;                   // of each pair, in the order of its code; none where the elements are apart
@@ -105,13 +108,16 @@ template <class Real> struct contact_set {
 struct contact_options {
   pose at_a = {}, at_b = {}; // those with which the sets were prepared
   int threads = 0;           // 0: all cores
+  // The predicates that tell, at the cost of self_pairs() for each mesh, whether both are embedded. Null: it stays unchecked.
+  const self_predicates *embedded_by = nullptr;
 };
 
 // The contacts of pairs of elements of two views, for Real float or double. `predicate` decided the pairs: its kinds are those
 // of the views, and its scene asks for the sign that tells contacts (predicate_info::contacts is not null). Elements that are
 // apart have no contact. Memory grows with the pairs, and by four bytes for each element of the views. Throws
 // std::invalid_argument (a predicate without contacts, a bad view or pose), std::out_of_range (a pair of elements that are not
-// there), input_error (a bad element of a pair), std::length_error or std::bad_alloc.
+// there; embedded_by for sets that are no triangles), input_error (a bad element of a pair, or with embedded_by of a view),
+// std::length_error or std::bad_alloc.
 template <class Real = float>
 contact_set<Real> contacts(const view &a, const view &b, const predicate_info &predicate,
                            std::span<const index_pair> pairs, const contact_options &options = {});

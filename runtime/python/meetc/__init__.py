@@ -23,7 +23,7 @@ array, the row and the value; TypeError for what is no array of numbers; IndexEr
 there. Ctrl-C ends a query. Queries release the interpreter's lock, and a set may be used by several threads.
 """
 
-from meetc._contacts import Contacts, Lines, contacts
+from meetc._contacts import Contacts, Lines, Root, contacts
 from meetc._device import DeviceSet, devices
 from meetc._errors import DeviceError, InputError, MeetError, MeetWarning, RoundedWarning
 from meetc._evaluate import evaluate, formula, formulas
@@ -50,6 +50,7 @@ __all__ = [
     "Nested",
     "OnDevice",
     "Precision",
+    "Root",
     "Rounded",
     "RoundedWarning",
     "Set",
@@ -72,7 +73,7 @@ __all__ = [
 ]
 
 for _public in (DeviceError, DeviceSet, InputError, MeetError, MeetWarning, RoundedWarning, Contacts, Formula, HitPoints,
-                Lines, Nested, Rounded, Set, World, contacts, devices, evaluate, formula, formulas, count, counts, first,
+                Lines, Nested, Root, Rounded, Set, World, contacts, devices, evaluate, formula, formulas, count, counts, first,
                 hit_points, hits, over_poses, pairs, self_pairs, touches):
     _public.__module__ = __name__
 del _public

@@ -6,6 +6,7 @@ import operator
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
+from math import isqrt
 from typing import Any
 
 import numpy as np
@@ -45,13 +46,30 @@ class Lines:
         return f"<meetc.Lines: {len(self):,} of {len(self.nodes):,} nodes, {int(self.closed.sum()):,} closed>"
 
 
+@dataclass(frozen=True)
+class Root:
+    """rational + factor * sqrt(radicand): a coordinate where a segment meets a sphere."""
+
+    rational: Fraction
+    factor: Fraction
+    radicand: int
+
+    def __float__(self) -> float:
+        """Right up to 2**-1200 before it is rounded."""
+        square = self.factor**2 * self.radicand
+        size = Fraction(isqrt((square.numerator << 2400) // square.denominator), 1 << 1200)
+        return float(self.rational + (size if self.factor > 0 else -size))
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Contacts:
-    """Where pairs of triangles, or of segments and triangles, meet.
+    """Where pairs of triangles, of segments and triangles, or of spheres and segments, meet; witnesses of other spheres.
 
     Corners of a contact are named by the vertices, edges and faces on which they lie; corners of one name are one node, a row
     of `points`. Names, codes and their order are exact. Each coordinate is the exact one, rounded once, to the nearest number
-    and of two to the even one; exact(i) has it as fractions. Where a mesh crosses itself, several nodes may be one point.
+    and of two to the even one; exact(i) has it as a fraction, or on a sphere as a Root. Where a mesh is not embedded, several
+    nodes may be one point. A sphere with a sphere or a triangle has a witness: one point that lies on both, up to 2**-46 of
+    the sum of their radii and of the greatest difference of their coordinates along each axis, before it is rounded.
     """
 
     pairs: Ints  #: (k, 2): elements of a and b, sorted: triangles, also where a face was cut into several
@@ -60,11 +78,14 @@ class Contacts:
     offsets: Longs  #: (k + 1,): the nodes of pair i are corners[offsets[i]:offsets[i + 1]]
     corners: Ints  #: nodes: one is a point, two are a segment, three to six a polygon
     points: NDArray[Any]  #: (n, 3): x, y, z of each node, in double, or in float32 where it is asked for
-    on_a: NDArray[Any]  #: (n,): the part of a on which a node lies: element, dimension (0 vertex, 1 edge, 2 face), carrier
+    on_a: NDArray[Any]  #: (n,): where on a a node lies: element, dimension (0 vertex, 1 edge, 2 face, 3 in a ball), carrier
     on_b: NDArray[Any]  #: (n,): the same of b
     pieces: Ints  #: (m, 2): segments of two nodes, none twice
     patch_pairs: Ints  #: for each patch the row of `pairs` that overlaps there
     single_nodes: Ints  #: nodes on no piece and no patch
+    witness_pairs: Ints  #: (w,): rows of `pairs`, each of which has a witness
+    witnesses: NDArray[Any]  #: (w, 3)
+    embedded: bool | None  #: with check_embedded: whether both meshes are embedded, so that no two nodes are one point
     _lines: Lines = field(repr=False)
     _patches: Lines = field(repr=False)
     _rows: tuple[Floats, Floats] = field(repr=False)
@@ -90,12 +111,13 @@ class Contacts:
         """The polygons in which pairs in one plane overlap, counter-clockwise from the tip of a's normal."""
         return self._patches
 
-    def exact(self, i: int) -> tuple[Fraction, Fraction, Fraction]:
-        """The coordinates of point i as fractions."""
+    def exact(self, i: int) -> tuple[Fraction | Root, Fraction | Root, Fraction | Root]:
+        """The coordinates of point i: fractions, or roots where a segment meets a sphere."""
         at = operator.index(i)
         if not -len(self.points) <= at < len(self.points):
             raise IndexError(f"exact: there is no point {at}; there are {len(self.points)}")
-        return exact_point(self._rows, self._sources[at])
+        x, y, z = map(_exact, exact_words(self._rows, self._sources[at]))
+        return x, y, z
 
     def __len__(self) -> int:
         """The number of pairs."""
@@ -108,11 +130,15 @@ class Contacts:
             ("points", f"{len(self.points):,} in {self.points.dtype}"),
             ("lines", f"{lines:,}, {closed:,} closed"),
             ("patches", f"{len(self._patches):,}"),
+            *([("witnesses", f"{len(self.witnesses):,}")] if len(self.witnesses) else []),
+            *([("embedded", "yes" if self.embedded else "no")] if self.embedded is not None else []),
         ]
 
     def __repr__(self) -> str:
         sizes = (len(self), len(self.points), len(self._lines), len(self._patches))
         nouns = (("pair", "s"), ("point", "s"), ("line", "s"), ("patch", "es"))
+        if len(self.witnesses):
+            sizes, nouns = (len(self), len(self.witnesses)), (("pair", "s"), ("witness", "es"))
         text = ", ".join(f"{n:,} {noun}{'' if n == 1 else more}" for n, (noun, more) in zip(sizes, nouns))
         return f"<meetc.Contacts: {text}>"
 
@@ -121,11 +147,15 @@ class Contacts:
         return f"<table><caption>meetc.Contacts</caption>{cells}</table>"
 
 
-def contacts(a: Meshlike, b: Meshlike, *, dtype: DTypeLike = np.float64, threads: int = 0) -> Contacts:
-    """Where each pair of triangles, or of a segment and a triangle, meets: a point, a segment or a polygon.
+def contacts(
+    a: Meshlike, b: Meshlike, *, dtype: DTypeLike = np.float64, check_embedded: bool = False, threads: int = 0
+) -> Contacts:
+    """Where each pair of triangles, of a segment and a triangle, or of a sphere and a segment, meets.
 
-    Pairs are those of pairs(a, b), exact for the float32 numbers of the sets. Points are doubles, or with dtype=np.float32
-    floats. Depths and normals are not invented.
+    That is a point, two points, a segment or a polygon. A sphere with a sphere or a triangle has a witness, one point. Pairs are
+    those of pairs(a, b), exact for the float32 numbers of the sets. Points are doubles, or with dtype=np.float32 floats; a
+    witness beyond their range is infinite. With check_embedded, the answer also tells of two meshes whether both are embedded:
+    whether self_pairs() finds nothing in them, and all their faces have area. Depths and normals are not invented.
 
         found = meetc.contacts(a, b)
         for line in found.lines():
@@ -137,12 +167,15 @@ def contacts(a: Meshlike, b: Meshlike, *, dtype: DTypeLike = np.float64, threads
     asked = ask(a, b, "certified", threads)
     if not asked.meets:
         raise InputError(
-            f"contacts: it is asked of triangles, or of segments and triangles, not of {asked.a.kind} and {asked.b.kind}"
+            f"contacts: it is asked of two meshes, of segments and a mesh, or of spheres with spheres, segments or a mesh, "
+            f"not of {asked.a.kind} and {asked.b.kind}"
         )
+    if check_embedded and (asked.a.kind, asked.b.kind) != ("triangle", "triangle"):
+        raise InputError(f"check_embedded: it is asked of two meshes, not of {asked.a.kind} and {asked.b.kind}")
     pairs = asked.of_elements().question().pairs(False)
     if asked.turned:
         pairs = pairs[np.lexsort((pairs[:, 0], pairs[:, 1]))]
-    found = contacts_of(asked, pairs, type_ == np.float64)
+    found = contacts_of(asked, pairs, type_ == np.float64, bool(check_embedded))
     sides = ("on_b", "on_a") if asked.turned else ("on_a", "on_b")
     named = np.ascontiguousarray(pairs[:, ::-1]) if asked.turned else pairs
     offsets, corners = found["corners"]
@@ -160,6 +193,9 @@ def contacts(a: Meshlike, b: Meshlike, *, dtype: DTypeLike = np.float64, threads
         pieces=found["pieces"],
         patch_pairs=found["patch_pairs"],
         single_nodes=found["single_nodes"],
+        witness_pairs=found["witness_pairs"],
+        witnesses=found["witnesses"],
+        embedded=found["embedded"],
         _lines=Lines(lines, line_nodes, found["closed"]),
         _patches=Lines(patches, patch_nodes, np.ones(len(patches) - 1, np.bool_)),
         _rows=found["rows"],
@@ -167,17 +203,33 @@ def contacts(a: Meshlike, b: Meshlike, *, dtype: DTypeLike = np.float64, threads
     )
 
 
-def contacts_of(asked: Asked, pairs: Ints, wide: bool) -> dict[str, Any]:
+def contacts_of(asked: Asked, pairs: Ints, wide: bool, embedded: bool = False) -> dict[str, Any]:
     """The contacts of pairs of elements, in the order of the predicate's kinds."""
     first, second = asked.in_order()
-    return _native.contacts(first._as_arrays(), second._as_arrays(), asked.predicate, pairs, wide, asked.threads)
+    return _native.contacts(
+        first._as_arrays(), second._as_arrays(), asked.predicate, pairs, wide, embedded, asked.threads
+    )
+
+
+def exact_words(rows: tuple[Floats, Floats], source: Ints) -> list[list[str]]:
+    """Numerator, denominator, root and radicand of the coordinates of a node.
+
+    The node is told by the rows of elements and its source: two rows and a label.
+    """
+    a, b, label = source.tolist()
+    return _native.exact_point(rows[0][a], rows[1][b], label)
 
 
 def exact_point(rows: tuple[Floats, Floats], source: Ints) -> tuple[Fraction, Fraction, Fraction]:
-    """The point of a node, from the rows of elements and the node's source: two rows and a label."""
-    a, b, label = source.tolist()
-    x, y, z = (Fraction(int(above), int(below)) for above, below in _native.exact_point(rows[0][a], rows[1][b], label))
+    """The point of a node of segments and triangles."""
+    x, y, z = (Fraction(int(above), int(below)) for above, below, _, _ in exact_words(rows, source))
     return x, y, z
+
+
+def _exact(words: list[str]) -> Fraction | Root:
+    above, below, root, radicand = map(int, words)
+    rational = Fraction(above, below)
+    return Root(rational, Fraction(root, below), radicand) if root else rational
 
 
 def _items(pairs: Ints, asked: Asked) -> Ints:

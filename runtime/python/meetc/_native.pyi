@@ -48,9 +48,9 @@ class Question:
 _Arrays = tuple[NDArray[np.float32], NDArray[Any] | None, NDArray[np.float64] | None]  # numbers, index, pose
 
 def contacts(
-    a: _Arrays, b: _Arrays, predicate: str, pairs: _Ints, wide: bool, threads: int
+    a: _Arrays, b: _Arrays, predicate: str, pairs: _Ints, wide: bool, embedded: bool, threads: int
 ) -> dict[str, Any]: ...
-def exact_point(a: NDArray[np.float32], b: NDArray[np.float32], label: int) -> list[tuple[str, str]]: ...
+def exact_point(a: NDArray[np.float32], b: NDArray[np.float32], label: int) -> list[list[str]]: ...
 def self_pairs(
     set: Prepared,
     numbers: NDArray[np.float32],

@@ -73,6 +73,23 @@ TEST_CASE("contacts as JSON have everything, and coordinates in float64 on reque
   }
 }
 
+TEST_CASE("contacts tell on request whether both meshes are embedded") {
+  put_square_and_blade();
+  const json j = answer({"square.obj", "blade.obj", "--contacts", "c.json", "--contacts-embedded"});
+  CHECK(j["contacts"]["embedded"] == "yes");
+  CHECK(json::parse(get(at("c.json")))["embedded"] == "yes");
+  put("double.obj", "v 0.25 -1 1\nv 0.25 2 1\nv 0.25 0.5 -1\nf 1 2 3\nf 2 1 3\n");
+  CHECK(answer({"double.obj", "square.obj", "--contacts", "c.obj", "--contacts-embedded"})["contacts"]["embedded"] ==
+        "no");
+  const said s = run({"collide", "square.obj", "double.obj", "--contacts", "c.obj", "--contacts-embedded"});
+  CHECK_THAT(s.out, meetc::test::contains("; a mesh is not embedded (--self lists why), so that several nodes"));
+  CHECK_THAT(complaint({"collide", "square.obj", "blade.obj", "--contacts-embedded"}),
+             meetc::test::contains("write --contacts out.obj as well"));
+  put("edge.csv", "x0,y0,z0,x1,y1,z1\n0,0,-1,1,1,2\n");
+  CHECK_THAT(complaint({"collide", "square.obj", "edge.csv", "--contacts", "c.obj", "--contacts-embedded"}),
+             meetc::test::contains("--contacts-embedded goes with two meshes; here are triangles and segments"));
+}
+
 TEST_CASE("contacts of spheres and segments, in either order") {
   put("spheres.csv", "x,y,z,r\n5,5,5,1\n0,0,0,1\n");
   put("lines.csv", "x0,y0,z0,x1,y1,z1\n0,0,0,2,2,0\n");

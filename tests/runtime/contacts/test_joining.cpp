@@ -9,6 +9,7 @@
 #include <map>
 #include <meet/core/contacts/contacts.hpp>
 #include <meet/core/query/find.hpp>
+#include <neighbours/neighbours_runtime.hpp>
 #include <random>
 #include <set>
 
@@ -219,4 +220,45 @@ TEST_CASE("bad calls are refused") {
   CHECK_THROWS_AS(contacts(nan.view(), a.view(), p, some), input_error);
   CHECK_THROWS_AS(contacts(a.view(), a.view(), p, some).exact(1000), std::out_of_range);
   CHECK(contacts(a.view(), a.view(), p, none).nodes() == 0);
+}
+
+TEST_CASE("embedded meshes are told from others, where it is asked") {
+  const self_predicates by{find_predicate(cga::catalogue(), "triangle_triangle"),
+                           find_predicate(neighbours::catalogue(), "beyond_corner"),
+                           find_predicate(neighbours::catalogue(), "beyond_edge")};
+  const auto embedded = [&by](const mesh &a, const mesh &b, const pose &at = {}) {
+    contact_options options;
+    options.embedded_by = &by;
+    options.at_a = at;
+    const auto &p = predicate_for(a);
+    const auto pairs = collide(prepare(a.view(), *p.a, at), prepare(b.view(), *p.b), p, rung::certified).pairs;
+    const auto c = contacts<float>(a.view(), b.view(), p, pairs, options);
+    options.embedded_by = nullptr;
+    const auto plain = contacts<float>(a.view(), b.view(), p, pairs, options);
+    CHECK(plain.embedded == embedding::unchecked);
+    CHECK(plain.points == c.points);
+    return c.embedded;
+  };
+  const mesh cube = cuboid(0, 0, 0, 2, 2, 2), other = cuboid(1, 1, 1, 3, 3, 3);
+  CHECK(embedded(cube, other) == embedding::embedded);
+  CHECK(embedded(cube, cube) == embedding::embedded);
+  mesh twice = other; // a face that is there twice
+  twice.index.insert(twice.index.end(), {other.index[0], other.index[1], other.index[2]});
+  CHECK(embedded(cube, twice) == embedding::not_embedded);
+  CHECK(embedded(twice, cube) == embedding::not_embedded);
+  mesh thin = other; // a face without area
+  thin.index.insert(thin.index.end(), {other.index[0], other.index[1], other.index[1]});
+  CHECK(embedded(cube, thin) == embedding::not_embedded);
+  mesh crossing = cube;
+  append(crossing, other);
+  CHECK(embedded(crossing, other) == embedding::not_embedded);
+  pose flat; // in which the cube has faces without area
+  flat.m[10] = 0;
+  CHECK(embedded(cube, other, flat) == embedding::not_embedded);
+  CHECK(embedded(cuboid(9, 9, 9, 10, 10, 10), twice) == embedding::not_embedded); // though nothing touches
+  mesh edges;
+  edges.corners = 2;
+  edges.points = {-1, 1, 1, 3, 1, 1};
+  edges.index = {0, 1};
+  CHECK_THROWS_AS(embedded(edges, cube), std::invalid_argument);
 }

@@ -51,6 +51,23 @@ TEST_CASE("a torus whose tube crosses itself has the known numbers of pairs and 
   }
 }
 
+TEST_CASE("a cube that was slid along a face has the known numbers of pairs and faces") {
+  mesh m;
+  for (const auto &[x, y] : {std::pair(0.F, 0.F), std::pair(1.F, 3.F)}) {
+    const auto first = static_cast<std::uint32_t>(m.xyz.size() / 3);
+    for (unsigned corner = 0; corner < 8; ++corner)
+      m.xyz.insert(m.xyz.end(),
+                   {x + (corner & 1 ? 10.F : 0.F), y + (corner & 2 ? 10.F : 0.F), corner & 4 ? 10.F : 0.F});
+    for (const std::uint32_t v :
+         {0, 2, 1, 2, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 2, 4, 6, 2, 1, 3, 5, 3, 7, 5})
+      m.index.push_back(first + v);
+  }
+  const pair_list found = pairs_of(self_of(m.view()));
+  CHECK(m.faces() == 24);
+  CHECK(found.size() == 30);
+  CHECK(faces_in(found) == 16);
+}
+
 TEST_CASE("bodies that do not cross themselves have no pair") {
   for (const mesh &m : {tetrahedron(), of_body(meetc::bodies::icosphere(3)), of_body(meetc::bodies::torus(24, 12)),
                         of_body(meetc::bodies::knot(48, 6))}) {

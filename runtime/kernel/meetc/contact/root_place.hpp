@@ -7,10 +7,21 @@
 
 MEETC_NAMESPACE(meetc) {
 
+// Cuts the range of a coordinate to that of p + t (q - p) for the root t.
+template <class Real>
+MEETC_HD void cut_to_root(const typename ball_line<Real>::parameter &root, float p, float q, Real &from, Real &to) {
+  using arithmetic = place_arithmetic<Real>;
+  const auto length = arithmetic::difference(q, p);
+  const auto x = length * root.at + double{p};
+  const double size = magnitude_of(leading(length));
+  const double error = size * (1.001 * root.error + 16 * arithmetic::u) + 16 * arithmetic::u * magnitude_of(double{p});
+  const Real low = arithmetic::end(x, -error), high = arithmetic::end(x, error);
+  from = low > from ? low : from, to = high < to ? high : to;
+}
+
 // Rows are a centre and a radius, and two ends.
 template <class Real>
 MEETC_HD void place_round_label(const float *ball, const float *segment, unsigned label, Real *out) {
-  using arithmetic = place_arithmetic<Real>;
   if (label_b(label) < 2) {
     for (int k = 0; k < 3; ++k)
       out[k] = static_cast<Real>(segment[3 * label_b(label) + k] + 0.0F);
@@ -21,15 +32,8 @@ MEETC_HD void place_round_label(const float *ball, const float *segment, unsigne
   for (int k = 0; k < 3; ++k) {
     const float p = segment[k], q = segment[3 + k];
     Real from = static_cast<Real>(p < q ? p : q), to = static_cast<Real>(p < q ? q : p);
-    if (standard_environment()) {
-      const auto length = arithmetic::difference(q, p);
-      const auto x = length * root.at + double{p};
-      const double size = magnitude_of(leading(length));
-      const double error =
-          size * (1.001 * root.error + 16 * arithmetic::u) + 16 * arithmetic::u * magnitude_of(double{p});
-      const Real low = arithmetic::end(x, -error), high = arithmetic::end(x, error);
-      from = low > from ? low : from, to = high < to ? high : to;
-    }
+    if (standard_environment())
+      cut_to_root(root, p, q, from, to);
     out[k] = from < to ? root_integers<Real>::nearest(ball, segment, which, k, from, to) : from + Real(0);
   }
 }
