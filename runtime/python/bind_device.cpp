@@ -1,9 +1,13 @@
 #include "meet/core/device/collide.hpp"
+#include "meet/core/device/set/narrow.hpp"
+#include "meet/core/device/world.hpp"
 #include "meet/python/bindings.hpp"
 #include "meet/python/dlpack.hpp"
 #include "meet/python/faults.hpp"
 #include "meet/python/poses.hpp"
 #include "meet/python/questions.hpp"
+#include "meet/python/the_device.hpp"
+#include "meet/python/worlds.hpp"
 
 #include <cga/cga_cuda.hpp>
 #include <cuda_runtime_api.h>
@@ -11,9 +15,7 @@
 
 namespace meetc::python {
 
-namespace {
-
-// The current device, found when it is first needed. It is never given back, since CUDA may end before this module.
+// It is never given back, since CUDA may end before this module.
 const device &the_device() {
   static const device &on = *new device(cga::cuda::catalogue());
   static const pid_t begun = getpid();
@@ -22,8 +24,16 @@ const device &the_device() {
   return on;
 }
 
+namespace {
+
 // Numbers in device memory: the address of the first, the number of rows, and the bytes from row to row.
 using rows_there = std::tuple<std::uintptr_t, std::uint32_t, std::size_t>;
+
+// A set whose indices were 64 bits wide, and the memory in which they are 32 bits wide.
+struct narrowed_set {
+  device_memory<std::uint32_t> index;
+  device_set set;
+};
 
 void require_there(std::uintptr_t address, const char *name) {
   cudaPointerAttributes found{};
@@ -42,20 +52,32 @@ std::shared_ptr<device_set> given(const std::string &kind, const rows_there &num
   const auto [data, rows, stride] = numbers;
   require_there(data, "vertices");
   cuda::view there{reinterpret_cast<const float *>(data), stride, nullptr, rows, rows};
+  device_memory<std::uint32_t> narrow;
   if (index) {
     const auto [first, elements, packed] = *index;
     require_there(first, "faces");
-    if (packed != sizeof(std::uint32_t) * static_cast<std::size_t>(of.points))
+    const std::size_t corners = static_cast<std::size_t>(of.points) * elements;
+    if (packed == sizeof(std::int64_t) * static_cast<std::size_t>(of.points)) {
+      const py::gil_scoped_release others_run;
+      const auto lock = on.use();
+      there.index = narrow.reserve(corners, "faces");
+      check(
+          on_device::narrow_indices(reinterpret_cast<const std::int64_t *>(first), corners, narrow.data(), on.stream()),
+          "faces");
+      check(cudaStreamSynchronize(on.stream()), "faces");
+    } else if (packed == sizeof(std::uint32_t) * static_cast<std::size_t>(of.points)) {
+      there.index = reinterpret_cast<const std::uint32_t *>(first);
+    } else {
       throw py::type_error("faces: rows are not packed");
-    there.index = reinterpret_cast<const std::uint32_t *>(first);
+    }
     there.elements = elements;
   }
   const std::optional<pose> place = at ? std::optional(place_of(*at, of)) : std::nullopt;
   const py::gil_scoped_release others_run; // one of them may have the device, and need the interpreter to end its query
-  auto set = std::make_shared<device_set>(device_set::given(on, there, of));
+  const auto set = std::make_shared<narrowed_set>(narrowed_set{std::move(narrow), device_set::given(on, there, of)});
   if (place)
-    set->move(*place);
-  return set;
+    set->set.move(*place);
+  return {set, &set->set};
 }
 
 std::shared_ptr<device_set> upload(const std::shared_ptr<prepared> &set) {
@@ -89,6 +111,51 @@ struct question_there {
     const py::gil_scoped_release others_run;
     return collide(on, *a, *b, by, with, options);
   }
+
+  // For each pose of the second set, or of the first, the number of pairs. The device takes many poses of the second at once,
+  // where items are elements; otherwise it moves the set, which must be the caller's alone, and asks again.
+  py::array poses(bool still_first, const py::array &at, bool any) const {
+    require_packed(at, "f", 8, 2, "poses");
+    if (at.shape(1) != 12)
+      throw py::type_error("poses: twelve numbers are needed for each");
+    device_set &moved = still_first ? *b : *a;
+    std::vector<pose> places;
+    const std::span<const double> numbers = span_of<double>(at);
+    for (std::size_t i = 0; i < numbers.size(); i += 12)
+      places.push_back(pose_of(numbers.subspan(i, 12), moved.kind()));
+    device_options options;
+    options.want = any ? answer_kind::any : answer_kind::count;
+    options.progress = check_signals();
+    const predicate_info &by = predicate_named(predicate);
+    const rung with = rung_named(precision);
+    const device &on = the_device();
+    std::vector<std::uint64_t> found;
+    {
+      const py::gil_scoped_release others_run;
+      if (still_first && !owner_a && !owner_b) {
+        found = collide(on, *a, *b, places, by, with, options).counts;
+      } else {
+        options.owner_a = owners_of(owner_a), options.owner_b = owners_of(owner_b);
+        for (std::size_t i = 0; i < places.size(); ++i)
+          try {
+            moved.move(places[i]);
+            found.push_back(collide(on, *a, *b, by, with, options).count);
+          } catch (const input_error &e) {
+            throw input_error(e.where, moved.kind(), "pose " + std::to_string(i) + ": ");
+          }
+      }
+    }
+    return as_array<std::int64_t>(std::move(found));
+  }
+};
+
+// A world, whose bodies lie on the device.
+struct world_there {
+  std::shared_ptr<world> of;
+  device_world there;
+
+  explicit world_there(std::shared_ptr<world> bodies) : of(std::move(bodies)), there(the_device(), *of) {}
+  world_answer touching(const world_options &options) { return there.touching(options); }
 };
 
 } // namespace
@@ -112,6 +179,12 @@ void bind_device(py::module_ &module) {
                py::arg("a"), py::arg("b"), py::arg("predicate"), py::arg("precision"), py::arg("owner_a"),
                py::arg("owner_b"));
   bind_answers(question);
+  question.def("poses", &question_there::poses, py::arg("still_first"), py::arg("poses"), py::arg("any"));
+  py::class_<world_there> bodies(module, "WorldThere",
+                                 "A World that is asked on the device. It is asked by one thread.");
+  bodies.def(py::init<std::shared_ptr<world>>(), py::arg("world"));
+  bind_bodies(bodies);
+  bind_evaluate_there(module);
 }
 
 } // namespace meetc::python

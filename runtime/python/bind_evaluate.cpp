@@ -1,6 +1,6 @@
-#include "meet/core/query/evaluate.hpp"
-#include "meet/python/arrays.hpp"
 #include "meet/python/bindings.hpp"
+#include "meet/python/columns.hpp"
+
 #include <cga/cga_runtime.hpp>
 
 #include <algorithm>
@@ -21,19 +21,6 @@ std::vector<formula_row> formulas() {
     for (const formula_operand &o : std::span(f.operands, static_cast<std::size_t>(f.operand_count)))
       operands.emplace_back(o.kind, o.numbers);
     out.emplace_back(f.name, std::move(operands), f.results);
-  }
-  return out;
-}
-
-// The columns of an operand: float32, one dimension, a stride of whole numbers.
-std::vector<column> columns_of_arrays(const std::vector<py::array> &arrays, std::size_t &objects) {
-  std::vector<column> out;
-  for (const py::array &a : arrays) {
-    const py::dtype type = a.dtype();
-    if (type.kind() != 'f' || type.itemsize() != 4 || a.ndim() != 1 || a.strides(0) % 4 != 0)
-      throw py::type_error("a column is a float32 array of one dimension with a stride of whole numbers");
-    objects = std::min(objects, static_cast<std::size_t>(a.shape(0)));
-    out.push_back({static_cast<const float *>(a.data()), a.strides(0) / 4});
   }
   return out;
 }
@@ -62,18 +49,11 @@ py::array on_columns(const formula_info &f, std::span<const operand_columns> ope
 py::array evaluate_columns(const std::string &formula, const std::vector<std::vector<py::array>> &operands,
                            const std::optional<py::array> &rows, bool wide, int threads) {
   const formula_info &f = formula_named(cga::catalogue(), formula);
-  std::vector<std::vector<column>> columns;
-  std::vector<operand_columns> all;
-  for (const std::vector<py::array> &arrays : operands) {
-    std::size_t objects = arrays.empty() ? 0 : ~std::size_t{0};
-    columns.push_back(columns_of_arrays(arrays, objects));
-    all.push_back({{}, objects});
-  }
-  for (std::size_t k = 0; k < all.size(); ++k)
-    all[k].numbers = columns[k];
+  const formula_columns columns(operands);
   if (rows)
     require_packed(*rows, "iu", 4, 2, "rows");
-  return wide ? on_columns<double>(f, all, rows, threads) : on_columns<float>(f, all, rows, threads);
+  return wide ? on_columns<double>(f, columns.operands(), rows, threads)
+              : on_columns<float>(f, columns.operands(), rows, threads);
 }
 
 template <class Number>
@@ -84,17 +64,13 @@ py::array on_pairs(const formula_info &f, const prepared &a, const prepared &b, 
     const py::gil_scoped_release others_run;
     values = evaluate<Number>(f, a, b, pairs, threads);
   }
-  return as_array<Number>(std::move(values.numbers), {f.result_count, static_cast<py::ssize_t>(values.count)});
+  return as_rows(f, std::move(values));
 }
 
 py::array evaluate_pairs(const std::string &formula, const prepared &a, const prepared &b, const py::array &pairs,
                          bool wide, int threads) {
   const formula_info &f = formula_named(cga::catalogue(), formula);
-  require_packed(pairs, "iu", 4, 2, "pairs");
-  if (pairs.shape(1) != 2)
-    throw py::type_error("pairs: two columns are needed");
-  const std::span<const index_pair> list{static_cast<const index_pair *>(pairs.data()),
-                                         static_cast<std::size_t>(pairs.shape(0))};
+  const std::span<const index_pair> list = pairs_of(pairs);
   return wide ? on_pairs<double>(f, a, b, list, threads) : on_pairs<float>(f, a, b, list, threads);
 }
 

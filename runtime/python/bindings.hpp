@@ -18,7 +18,8 @@ void bind_world(pybind11::module_ &module);
 void bind_contacts(pybind11::module_ &module);
 void bind_self(pybind11::module_ &module);
 void bind_polygons(pybind11::module_ &module);
-void bind_device(pybind11::module_ &module); // in a build with CUDA
+void bind_device(pybind11::module_ &module); // in a build with CUDA, as this:
+void bind_evaluate_there(pybind11::module_ &module);
 
 // Throw std::invalid_argument for a name that the shipped catalogue does not have.
 const kind_info &kind_named(std::string_view name);

@@ -21,7 +21,7 @@ std::vector<predicate_row> predicates() {
   const catalogue &all = cga::catalogue();
   for (int i = 0; i < all.predicate_count; ++i) {
     const predicate_info &p = all.predicates[i];
-    out.emplace_back(p.name, p.mode, p.a->name, p.b->name, p.contacts && p.a->points > 0 && p.b->points > 0);
+    out.emplace_back(p.name, p.mode, p.a->name, p.b->name, p.contacts != nullptr);
   }
   return out;
 }

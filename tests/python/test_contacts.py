@@ -155,7 +155,7 @@ class Round(unittest.TestCase):
         rng = np.random.default_rng(5)
         ends = rng.normal(size=(200, 2, 3)).astype(np.float32)
         for solid in (True, False):
-            found = meetc.contacts(Set.spheres([[0.1, 0.2, 0.3]], [0.9], solid=solid), Set.segments(ends[:, 0], ends[:, 1]))
+            found = meetc.contacts(Set.spheres([[0.125, 0.25, 0.375]], [0.875], solid=solid), Set.segments(ends[:, 0], ends[:, 1]))
             self.assertGreater(len(found.points), 50)
             for i, at in enumerate(found.points):
                 self.assertEqual([float(x) for x in found.exact(i)], at.tolist())

@@ -161,6 +161,81 @@ class There(unittest.TestCase):
         rows = vertices[faces].reshape(-1, 9)
         self.assertTrue(np.array_equal(meetc.pairs(DeviceSet(ByInterface(rows)), moved), wanted))
 
+    def test_faces_of_64_bits_are_narrowed_there(self):
+        vertices, faces = sphere_mesh(24)
+        mesh = DeviceSet(ByInterface(vertices), ByDLPack(faces.astype(np.int64)))
+        moved = Set(vertices, faces, pose=lifted(0.25))
+        self.assertTrue(np.array_equal(meetc.pairs(mesh, moved), meetc.pairs(Set(vertices, faces), moved)))
+        self.assertTrue(np.array_equal(meetc.pairs(mesh.at(lifted(0.25)), mesh), meetc.pairs(moved, Set(vertices, faces))))
+
+    def test_first_hits_there(self):
+        rng = np.random.default_rng(32)
+        mesh = Set.triangles(lattice_triangles(rng, 500, 4))
+        start, end = rng.integers(-2, 6, (2, 300, 3)).astype(np.float32)
+        segments = Set.segments(start, end)
+        wanted = meetc.first(segments, mesh)
+        self.assertGreater((wanted >= 0).sum(), 50)
+        self.assertTrue(np.array_equal(meetc.first(segments, mesh, device="cuda"), wanted))
+        for there, here in zip(meetc.first(segments, mesh, points=True, device="cuda"),
+                               meetc.first(segments, mesh, points=True)):
+            self.assertTrue(np.array_equal(there, here, equal_nan=True))
+        rows = DeviceSet(ByInterface(np.concatenate([start, end], axis=1)), kind="segment")
+        self.assertTrue(np.array_equal(meetc.first(rows, mesh), wanted))
+
+    def test_many_poses_there(self):
+        rng = np.random.default_rng(33)
+        mesh, other = (Set.triangles(lattice_triangles(rng, n, 4)) for n in (300, 200))
+        balls = Set.spheres(rng.integers(0, 4, (50, 3)), 0.5)
+        poses = np.tile(np.eye(4), (40, 1, 1))
+        poses[:, :3, 3] = rng.integers(-6, 7, (40, 3)) / 2
+        for a, b in ((mesh, other), (mesh, balls), (balls, mesh), (mesh, mesh)):
+            for want in ("count", "any"):
+                here = meetc.over_poses(a, b, poses, want=want)
+                self.assertTrue(0 < (here > 0).sum() < len(poses))
+                self.assertTrue(np.array_equal(meetc.over_poses(a, b, poses, want=want, device="cuda"), here))
+        self.assertTrue(np.array_equal(meetc.pairs(mesh, mesh, device="cuda"), meetc.pairs(mesh, mesh)))
+
+    def test_formulas_there(self):
+        rng = np.random.default_rng(34)
+        centres = rng.normal(size=(1000, 3)).astype(np.float32)
+        a, b = Set.spheres(centres[:500], 0.7), Set.spheres(centres[500:], 0.5)
+        text = "norm2(meet(sphere, sphere))"
+        pairs = meetc.pairs(a, b)
+        self.assertGreater(len(pairs), 1000)
+        rows = [np.concatenate([centres[:500], np.full((500, 1), 0.7, np.float32)], axis=1),
+                np.concatenate([centres[500:], np.full((500, 1), 0.5, np.float32)], axis=1)]
+        for type_ in (np.float32, np.float64):
+            for operands, at in (((a, b), pairs), (rows, pairs), (rows, None), ((rows[0], rows[1][0]), None)):
+                here = meetc.evaluate(text, *operands, rows=at, dtype=type_)
+                there = meetc.evaluate(text, *operands, rows=at, dtype=type_, device="cuda")
+                for name, values in here.items():
+                    self.assertEqual(values.dtype, there[name].dtype)
+                    scale = np.abs(values).max() * np.finfo(type_).eps  # a processor may have no fused multiply-add
+                    self.assertTrue(np.allclose(values, there[name], rtol=0, atol=64 * scale))
+
+    def test_a_world_there(self):
+        vertices, faces = sphere_mesh(24)
+        small = Set(vertices * 0.25, faces)
+        worlds = [meetc.World(device=device) for device in ("cpu", "cuda")]
+        for world in worlds:
+            world.add("a", Set(vertices, faces))
+            world.add("b", Set(vertices, faces), lifted(9))
+            world.add("c", small, lifted(30))
+        for height, place in ((9, 30), (0.25, 30), (9, 0), (9, 8.5), (1.5, 1)):
+            for world in worlds:
+                world.move("b", lifted(height))
+                world.move("c", lifted(place))
+            here, there = worlds
+            self.assertEqual(there.touching(), here.touching())
+            self.assertEqual(there.any(), here.any())
+            self.assertEqual(there.nested(), here.nested())
+            self.assertTrue(np.array_equal(there.matrix(), here.matrix()))
+            self.assertTrue(np.array_equal(there.pairs("a", "b"), here.pairs("a", "b")))
+        frames = np.stack([np.stack([lifted(h)]) for h in (0.1, 5, 1, 40)])
+        self.assertTrue(np.array_equal(worlds[1].over(frames, ["b"]), worlds[0].over(frames, ["b"])))
+        worlds[1].remove("a")
+        self.assertEqual(worlds[1].touching(), [])
+
     def test_dlpack_is_given_our_stream_and_its_memory_back(self):
         vertices, faces = ByDLPack(SQUARE), ByDLPack(SQUARE_FACES)
         mesh = DeviceSet(vertices, faces)
@@ -184,8 +259,14 @@ class There(unittest.TestCase):
         for call, error, text in (
             (lambda: DeviceSet(ByInterface(SQUARE.astype(float)), index), TypeError,
              "vertices: on a device, numbers are of type <f4, not <f8"),
-            (lambda: DeviceSet(numbers, ByInterface(SQUARE_FACES.astype(np.int64))), TypeError,
-             "faces: on a device, numbers are of type <i4 or <u4, not <i8"),
+            (lambda: DeviceSet(numbers, ByInterface(SQUARE_FACES.astype(np.int16))), TypeError,
+             "faces: on a device, numbers are of type <i4 or <u4 or <i8, not <i2"),
+            (lambda: meetc.count(DeviceSet(numbers, ByInterface(SQUARE_FACES - (1 << 32))), Set(SQUARE, SQUARE_FACES)),
+             meetc.InputError, "element 0"),
+            (lambda: meetc.first(DeviceSet(numbers, index), Set(SQUARE, SQUARE_FACES)), meetc.InputError,
+             "first: it is asked of segments and triangles, not of triangle and triangle"),
+            (lambda: meetc.over_poses(Set(SQUARE, SQUARE_FACES), Set(SQUARE, SQUARE_FACES), np.full((1, 4, 4), 1e300),
+                                      device="cuda"), meetc.InputError, "poses"),
             (lambda: DeviceSet(numbers), meetc.InputError, "vertices: its shape is (4, 3), not (n, 9)"),
             (lambda: DeviceSet(SQUARE, index), TypeError, "vertices: an array on the device is needed, not ndarray"),
             (lambda: DeviceSet(OnVulkan(), index), TypeError, "vertices: it lies on a device of kind 7"),

@@ -6,6 +6,7 @@ from collections.abc import Callable, Hashable, Iterable
 from typing import Any, Literal, TypeVar
 
 from meetc import _native
+from meetc._device import Device, faults, require_device
 from meetc._errors import InputError
 from meetc._set import Set
 from meetc._types import Doubles, Ints
@@ -19,11 +20,14 @@ Answer = TypeVar("Answer")
 class Bodies:
     """Each set is prepared once; moving it costs nothing until it is asked what touches."""
 
-    def __init__(self, mode: str, ignored: Callable[[Any, Any], bool] = lambda a, b: False) -> None:
-        self._mode, self._ignored = mode, ignored
+    def __init__(
+        self, mode: str, ignored: Callable[[Any, Any], bool] = lambda a, b: False, device: Device = "cpu"
+    ) -> None:
+        self._mode, self._ignored, self._on_device = mode, ignored, require_device(device)
         self.sets: dict[Hashable, Set] = {}  # without a pose
         self.poses: dict[Hashable, Doubles] = {}  # twelve numbers
         self._native: _native.World | None = None  # made when it is asked, and again after bodies came or went
+        self._there: _native.WorldThere | None = None  # of that one, on a device
 
     def add(self, key: Hashable, shape: Set, at: Doubles) -> None:
         self.sets[key], self.poses[key] = shape._without_pose(), at
@@ -35,7 +39,7 @@ class Bodies:
 
     def forget(self) -> None:
         """Other pairs are ignored from now on."""
-        self._native = None
+        self._native = self._there = None
 
     def move(self, key: Hashable, at: Doubles) -> None:
         self.poses[key] = at
@@ -57,11 +61,16 @@ class Bodies:
         found = self._ask(lambda world: world.nested([keys.index(key) for key in of], precision, threads))
         return [(keys[a], keys[b], how, why) for a, b, how, why in found]
 
-    def _ask(self, question: Callable[[_native.World], Answer]) -> Answer:
+    def _ask(self, question: Callable[[_native.World | _native.WorldThere], Answer]) -> Answer:
         try:
             if self._native is None:
                 self._native = self._made(list(self.sets))
-            return question(self._native)
+            if not self._on_device:
+                return question(self._native)
+            with faults():
+                if self._there is None:
+                    self._there = _native.WorldThere(self._native)
+                return question(self._there)
         except (_native.Fault, ValueError) as error:
             raise InputError(str(error)) from None
 

@@ -135,11 +135,11 @@ class Contacts:
         ]
 
     def __repr__(self) -> str:
-        sizes = (len(self), len(self.points), len(self._lines), len(self._patches))
-        nouns = (("pair", "s"), ("point", "s"), ("line", "s"), ("patch", "es"))
+        parts = [(len(self), "pair", "s"), (len(self.points), "point", "s"), (len(self._lines), "line", "s")]
+        parts.append((len(self._patches), "patch", "es"))
         if len(self.witnesses):
-            sizes, nouns = (len(self), len(self.witnesses)), (("pair", "s"), ("witness", "es"))
-        text = ", ".join(f"{n:,} {noun}{'' if n == 1 else more}" for n, (noun, more) in zip(sizes, nouns))
+            parts[1:] = [(len(self.witnesses), "witness", "es")]
+        text = ", ".join(f"{n:,} {noun}{'' if n == 1 else more}" for n, noun, more in parts)
         return f"<meetc.Contacts: {text}>"
 
     def _repr_html_(self) -> str:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from meetc import _arrays, _native
-from meetc._asked import ask, find, require_precision
+from meetc._asked import Asked, ask, find, require_precision
 from meetc._errors import DeviceError, InputError
 from meetc._set import Set, as_set
 from meetc._source import WIDTHS
@@ -95,15 +95,17 @@ def there(value: Any, name: str, types: tuple[str, ...], wide: int) -> _Array:
         raise InputError(f"{name}: it is empty", array=name)
     if found.shape[0] > _arrays.MOST:
         raise InputError(f"{name}: it has {found.shape[0]} rows, more than 2^31 - 1", array=name)
-    if found.strides[1] != 4 or found.strides[0] < 4 * wide:
+    size = int(found.type_[2:])
+    if found.strides[1] != size or found.strides[0] < size * wide:
         raise InputError(f"{name}: the columns of a row are not packed", array=name)
     return found
 
 
 class DeviceSet:
-    """Elements whose arrays lie on a CUDA device: those of CuPy, PyTorch, Warp, Numba and others. Nothing is copied.
+    """Elements whose arrays lie on a CUDA device: those of CuPy, PyTorch, Warp, Numba and others. Nothing is copied
+    but faces in int64, which are narrowed there when the set is made.
 
-    DeviceSet(vertices, faces)                  float32 (n, 3), int32 or uint32 (m, 3)
+    DeviceSet(vertices, faces)                  float32 (n, 3), int32, uint32 or int64 (m, 3)
     DeviceSet(rows, kind="sphere")              rows of the kind's own numbers
 
     pairs, count, touches, hits, counts and first take it in place of a Set, and find on the device what it touches. Each
@@ -122,7 +124,7 @@ class DeviceSet:
         if faces is not None and kind not in ("triangle", "segment"):
             raise TypeError(f"faces: elements of kind {kind!r} have none")
         numbers = there(vertices, "vertices", ("<f4",), WIDTHS[kind][-1] if faces is None else 3)
-        index = None if faces is None else there(faces, "faces", ("<i4", "<u4"), 3 if kind == "triangle" else 2)
+        index = None if faces is None else there(faces, "faces", ("<i4", "<u4", "<i8"), 3 if kind == "triangle" else 2)
         self._make(kind, numbers, index, None if pose is None else _arrays.poses(pose, "pose", False)[0])
 
     def _make(self, kind: Kind, numbers: _Array, index: _Array | None, pose: Doubles | None) -> None:
@@ -187,13 +189,16 @@ class QuestionThere:
         with faults():
             return self._of.any()
 
+    def first(self) -> Ints:
+        with faults():
+            return self._of.first()
+
 
 def question(
     a: object, b: object, precision: str, threads: int, device: Device
 ) -> tuple[_native.Question | QuestionThere, bool]:
     """A question on the host, or on the device where it is asked for or a set lies there; and whether it is turned."""
-    if device not in get_args(Device):
-        raise InputError(f"device: {device!r} is unknown; known: {', '.join(get_args(Device))}", value=device)
+    require_device(device)
     if device == "cpu" and not isinstance(a, DeviceSet) and not isinstance(b, DeviceSet):
         asked = ask(a, b, precision, threads)
         return asked.question(), asked.turned
@@ -211,12 +216,43 @@ def question(
     return QuestionThere(there), turned
 
 
-def _there(of: Set | DeviceSet) -> _native.SetThere:
-    if isinstance(of, DeviceSet):
-        return of._there
+def elements_there(asked: Asked) -> QuestionThere:
+    """The same question there, whose answers are about elements, also where a set's faces were cut."""
+    first, second = asked.in_order()
+    with faults():
+        there = _native.QuestionThere(uploaded(first), uploaded(second), asked.predicate, asked.precision, None, None)
+    return QuestionThere(there)
+
+
+def over_poses_there(asked: Asked, still_first: bool, matrices: NDArray[np.float64], any_pair: bool) -> Longs:
+    """The number of pairs in each pose of the second set, or of the first one."""
+    first, second = asked.in_order()
+    of_a, of_b = _owner(first), _owner(second)
+    with faults():
+        # A set that is moved there, pose by pose, is one of its own.
+        a = uploaded(first) if still_first else _native.upload(first._ready)
+        b = _native.upload(second._ready) if still_first else uploaded(second)
+        return _native.QuestionThere(a, b, asked.predicate, asked.precision, of_a, of_b).poses(still_first, matrices, any_pair)
+
+
+def require_device(device: str) -> bool:
+    """Whether it is the CUDA device, which then is there."""
+    if device not in get_args(Device):
+        raise InputError(f"device: {device!r} is unknown; known: {', '.join(get_args(Device))}", value=device)
+    if device == "cuda":
+        require_cuda("device='cuda'")
+    return device == "cuda"
+
+
+def uploaded(of: Set) -> _native.SetThere:
+    """The set on the device, to which it is copied once."""
     if of._uploaded is None:
         of._uploaded = _native.upload(of._ready)
     return of._uploaded
+
+
+def _there(of: Set | DeviceSet) -> _native.SetThere:
+    return of._there if isinstance(of, DeviceSet) else uploaded(of)
 
 
 def _owner(of: Set | DeviceSet) -> NDArray[np.uint32] | None:

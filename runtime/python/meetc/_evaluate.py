@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from meetc import _arrays, _native
+from meetc._device import Device, faults, require_device, uploaded
 from meetc._errors import InputError
 from meetc._set import Set
 from meetc._types import Floats, Formula
@@ -38,12 +39,14 @@ def evaluate(
     rows: ArrayLike | None = None,
     dtype: DTypeLike = np.float32,
     threads: int = 0,
+    device: Device = "cpu",
 ) -> dict[str, NDArray[Any]]:
     """The values of a formula, one array for each coefficient: float32, or with dtype=np.float64 double.
 
     An operand is an array (n, numbers), one object (numbers,) for all, or a mapping of columns; formula(text) names the
     numbers and the values. Without `rows`, value i takes row i of every operand. With rows, (m, operands), value i takes
     row rows[i, k] of operand k. Two operands may be sets; rows are then pairs, as pairs() returns them.
+    With device="cuda" they are computed on the device: the same numbers as on a processor with the fused multiply-add.
     """
     found = formula(formula_text)
     threads = _arrays.require_threads(threads)
@@ -53,15 +56,16 @@ def evaluate(
     wide = type_ == np.float64
     if len(operands) != len(found.operands):
         raise InputError(f"{found.name}: it takes {len(found.operands)} operands, and here are {len(operands)}")
+    there = require_device(device)
     if any(isinstance(o, Set) for o in operands):
-        values = _on_sets(found, operands, rows, wide, threads)
+        values = _on_sets(found, operands, rows, wide, threads, there)
     else:
-        values = _on_columns(found, operands, rows, wide, threads)
+        values = _on_columns(found, operands, rows, wide, threads, there)
     return dict(zip(found.values, values))
 
 
 def _on_sets(
-    found: Formula, operands: tuple[Any, ...], rows: ArrayLike | None, wide: bool, threads: int
+    found: Formula, operands: tuple[Any, ...], rows: ArrayLike | None, wide: bool, threads: int, there: bool
 ) -> NDArray[Any]:
     if len(operands) != 2 or not all(isinstance(o, Set) for o in operands):
         raise TypeError(f"{found.name}: where an operand is a set, there are two, and both are sets")
@@ -73,23 +77,32 @@ def _on_sets(
         if operand._source.owner is not None:
             raise InputError(f"{found.name}: the set's faces are polygons, and a formula takes elements")
     pairs = _rows(rows, 2, [len(o) for o in operands])
+    if there:
+        with faults():
+            return _native.evaluate_pairs_there(found.name, uploaded(operands[0]), uploaded(operands[1]), pairs, wide)
     return _native.evaluate_pairs(found.name, operands[0]._ready, operands[1]._ready, pairs, wide, threads)
 
 
 def _on_columns(
-    found: Formula, operands: tuple[Any, ...], rows: ArrayLike | None, wide: bool, threads: int
+    found: Formula, operands: tuple[Any, ...], rows: ArrayLike | None, wide: bool, threads: int, there: bool
 ) -> NDArray[Any]:
+    def values(of: list[list[Floats]], at: NDArray[np.uint32] | None) -> NDArray[Any]:
+        if there:
+            with faults():
+                return _native.evaluate_columns_there(found.name, of, at, wide)
+        return _native.evaluate_columns(found.name, of, at, wide, threads)
+
     columns = [_columns(operand, k, names) for k, (operand, (_, names)) in enumerate(zip(operands, found.operands))]
     if rows is not None:
         objects = [len(c[0]) if c[0].ndim else 1 for c in columns]
         shaped = [[np.atleast_1d(x) for x in c] for c in columns]
-        return _native.evaluate_columns(found.name, shaped, _rows(rows, len(columns), objects), wide, threads)
+        return values(shaped, _rows(rows, len(columns), objects))
     lengths = {len(x) for c in columns for x in c if x.ndim}
     if len(lengths) > 1:
         raise InputError(f"{found.name}: the operands have different numbers of rows: {sorted(lengths)}")
     length = lengths.pop() if lengths else 1
     spread = [[np.broadcast_to(x, (length,)) for x in c] for c in columns]
-    return _native.evaluate_columns(found.name, spread, None, wide, threads)
+    return values(spread, None)
 
 
 def _columns(operand: Any, k: int, names: tuple[str, ...]) -> list[Floats]:

@@ -10,9 +10,10 @@ from numpy.typing import NDArray
 
 from meetc._asked import Asked, ask
 from meetc._contacts import contacts_of, exact_point
+from meetc._device import Collidable, Device, DeviceSet, elements_there, question, require_device
 from meetc._errors import InputError
 from meetc._set import Set
-from meetc._types import Doubles, Ints, Meshlike, Precision
+from meetc._types import Doubles, Ints, Kind, Meshlike, Precision
 
 
 class HitPoints(NamedTuple):
@@ -25,34 +26,64 @@ class HitPoints(NamedTuple):
 
 def _ask(what: str, segments: object, mesh: object, precision: str, threads: int) -> Asked:
     asked = ask(segments, mesh, precision, threads)
-    if (asked.a.kind, asked.b.kind) != ("segment", "triangle"):
-        raise InputError(f"{what}: it is asked of segments and triangles, not of {asked.a.kind} and {asked.b.kind}")
+    _require_kinds(what, [asked.a.kind, asked.b.kind])
     if asked.a._source.owner is not None:
         raise InputError(f"{what}: the segments are parts of polylines, which have no first triangle", array="segments")
     return asked
 
 
+def _require_kinds(what: str, kinds: list[Kind]) -> None:
+    if kinds != ["segment", "triangle"]:
+        raise InputError(f"{what}: it is asked of segments and triangles, not of {kinds[0]} and {kinds[1]}")
+
+
 @overload
 def first(
-    segments: Set, mesh: Meshlike, *, points: Literal[False] = ..., precision: Precision = ..., threads: int = ...
+    segments: Set | DeviceSet,
+    mesh: Collidable,
+    *,
+    points: Literal[False] = ...,
+    precision: Precision = ...,
+    threads: int = ...,
+    device: Device = ...,
 ) -> Ints: ...
 @overload
 def first(
-    segments: Set, mesh: Meshlike, *, points: Literal[True], precision: Precision = ..., threads: int = ...
+    segments: Set,
+    mesh: Meshlike,
+    *,
+    points: Literal[True],
+    precision: Precision = ...,
+    threads: int = ...,
+    device: Device = ...,
 ) -> tuple[Ints, Doubles]: ...
 def first(
-    segments: Set, mesh: Meshlike, *, points: bool = False, precision: Precision = "certified", threads: int = 0
+    segments: Set | DeviceSet,
+    mesh: Collidable,
+    *,
+    points: bool = False,
+    precision: Precision = "certified",
+    threads: int = 0,
+    device: Device = "cpu",
 ) -> Ints | tuple[Ints, Doubles]:
     """For each segment the triangle that it meets first on its way from start to end, -1 for none: (n,).
 
     Of triangles that it meets at one point, it is the one with the least number. Set.rays makes segments of rays. With
     points=True the answer is a tuple: the triangles, and the points at which they are met, (n, 3), each coordinate the exact
-    one, rounded once to double, and NaN where there is none.
+    one, rounded once to double, and NaN where there is none. With device="cuda", or a DeviceSet, triangles are found on the
+    device; points are the host's.
     """
+    if isinstance(segments, DeviceSet) or isinstance(mesh, DeviceSet):
+        if points:
+            raise TypeError("first: points are found of sets whose arrays lie on the host")
+        kinds = [of.kind if isinstance(of, (Set, DeviceSet)) else "triangle" for of in (segments, mesh)]
+        _require_kinds("first", kinds)
+        return question(segments, mesh, precision, threads, "cuda")[0].first()
+    on_device = require_device(device)
     asked = _ask("first", segments, mesh, precision, threads)
     if not points:
-        return asked.question().first()
-    triangles = asked.of_elements().question().first()
+        return question(asked.a, asked.b, precision, threads, device)[0].first()
+    triangles = elements_there(asked).first() if on_device else asked.of_elements().question().first()
     met = np.flatnonzero(triangles >= 0).astype(np.int32)
     found = contacts_of(asked, np.stack([met, triangles[met]], axis=1), True)
     offsets, corners = found["corners"]

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from meetc import _arrays, _native
 from meetc._asked import ask
-from meetc._device import Collidable, Device, question
+from meetc._device import Collidable, Device, over_poses_there, question, require_device
 from meetc._errors import InputError
 from meetc._types import Bools, Ints, Longs, Meshlike, Precision
 
@@ -69,6 +69,7 @@ def over_poses(
     want: Literal["count"] = ...,
     precision: Precision = ...,
     threads: int = ...,
+    device: Device = ...,
 ) -> Longs: ...
 @overload
 def over_poses(
@@ -79,6 +80,7 @@ def over_poses(
     want: Literal["any"],
     precision: Precision = ...,
     threads: int = ...,
+    device: Device = ...,
 ) -> Bools: ...
 def over_poses(
     a: Meshlike,
@@ -88,18 +90,26 @@ def over_poses(
     want: Literal["count", "any"] = "count",
     precision: Precision = "certified",
     threads: int = 0,
+    device: Device = "cpu",
 ) -> Longs | Bools:
     """For each pose of b, (n, 4, 4) or (n, 3, 4), the number of pairs that touch, or with want="any" whether one does.
 
-    A pose takes the place of b's own, as in b.at(pose). A pose in which the boxes are apart costs next to nothing.
+    A pose takes the place of b's own, as in b.at(pose). A pose in which the boxes are apart costs next to nothing. With
+    device="cuda" the device takes many poses at once, where elements are not parts of faces.
     """
     if want not in ("count", "any"):
         raise InputError(f"want: {want!r} is unknown; known: count, any", value=want)
+    there = require_device(device)
     asked = ask(a, b, precision, threads)
     matrices = _arrays.poses(poses, "poses", True)
-    of = asked._replace(b=asked.b._without_pose()).question()
+    asked = asked._replace(b=asked.b._without_pose())
     try:
-        found = of.poses(not asked.turned, matrices, want == "any")
+        if there:
+            found = over_poses_there(asked, not asked.turned, matrices, want == "any")
+        else:
+            found = asked.question().poses(not asked.turned, matrices, want == "any")
+    except InputError:
+        raise
     except _native.Fault as fault:
         raise InputError(str(fault), array="poses", element=fault.element, value=fault.value) from None
     except ValueError as error:

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from meetc import _arrays
 from meetc._bodies import Bodies, Touching, Want
+from meetc._device import Device
 from meetc._errors import InputError
 from meetc._queries import pairs
 from meetc._set import Set, as_set
@@ -50,10 +51,13 @@ class World:
     another body are moved. Answers are those of sets that were prepared in the poses. Meshes are surfaces: a body inside
     another one does not touch it; nested() tells of it. Spheres are balls, or in a World(mode="surface") their surfaces.
 
-    Several threads may use a world; they take turns.
+    Several threads may use a world; they take turns. With device="cuda" the bodies lie on the device, where they are moved and
+    collided; the answers are the same.
     """
 
-    def __init__(self, *, mode: Mode = "solid", precision: Precision = "certified", threads: int = 0) -> None:
+    def __init__(
+        self, *, mode: Mode = "solid", precision: Precision = "certified", threads: int = 0, device: Device = "cpu"
+    ) -> None:
         if mode not in get_args(Mode):
             raise InputError(f"mode: {mode!r} is unknown; known: {', '.join(get_args(Mode))}", value=mode)
         if precision not in get_args(Precision):
@@ -61,7 +65,8 @@ class World:
             raise InputError(f"precision: {precision!r} is unknown; known: {known}", value=precision)
         self._mode, self._precision, self._threads = mode, precision, _arrays.require_threads(threads)
         self._allowed: set[frozenset[str]] = set()  # pairs; of one name: with every other body
-        self._bodies = Bodies(mode, self._may_touch)
+        self._device: Device = device
+        self._bodies = Bodies(mode, self._may_touch, device)
         self._lock = threading.Lock()
 
     def add(self, name: str, body: Meshlike, pose: ArrayLike | None = None) -> None:
@@ -154,7 +159,8 @@ class World:
         self._require(a)
         self._require(b)
         of = self._bodies.sets
-        return pairs(of[a].at(self.pose(a)), of[b].at(self.pose(b)), precision=self._precision, threads=self._threads)
+        one, other = of[a].at(self.pose(a)), of[b].at(self.pose(b))
+        return pairs(one, other, precision=self._precision, threads=self._threads, device=self._device)
 
     def over(self, poses: ArrayLike, names: Sequence[str]) -> Bools:
         """For each frame of poses, (frames, len(names), 4, 4) or (…, 3, 4), whether any two bodies touch: (frames,).

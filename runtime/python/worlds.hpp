@@ -1,0 +1,65 @@
+// python/worlds.hpp: the answers about bodies, as methods of a class of Python.
+#ifndef MEETC_PYTHON_WORLDS_HPP
+#define MEETC_PYTHON_WORLDS_HPP
+
+#include "meet/core/world/world.hpp"
+#include "meet/python/arrays.hpp"
+#include "meet/python/bindings.hpp"
+#include "meet/python/faults.hpp"
+
+namespace meetc::python {
+
+inline answer_kind wanted(const std::string &name) {
+  return name == "any" ? answer_kind::any : name == "pairs" ? answer_kind::pairs : answer_kind::count;
+}
+
+// World has world_answer touching(world_options): a world, or one on a device.
+template <class World>
+world_answer ask_bodies(World &w, world_options &options, const std::string &precision, int threads) {
+  options.precision = rung_named(precision);
+  options.threads = threads;
+  options.progress = check_signals();
+  const py::gil_scoped_release others_run;
+  return w.touching(options);
+}
+
+// The two bodies, the number of their pairs, and with want "pairs" these, for each two that touch.
+template <class World>
+py::list touching_bodies_of(World &w, const std::vector<std::uint32_t> &of, const std::string &precision,
+                            const std::string &want, int threads) {
+  world_options options;
+  options.of = of;
+  options.want = wanted(want);
+  options.first = options.want == answer_kind::any;
+  world_answer found = ask_bodies(w, options, precision, threads);
+  py::list out;
+  for (touching_bodies &t : found.touching) {
+    const auto rows = static_cast<py::ssize_t>(t.found.pairs.size());
+    out.append(py::make_tuple(t.a, t.b, t.found.count, as_array<std::int32_t>(std::move(t.found.pairs), {rows, 2})));
+  }
+  return out;
+}
+
+// The two bodies, how the one lies in the other, and where that is unknown, the reason.
+template <class World>
+py::list nested_bodies_of(World &w, const std::vector<std::uint32_t> &of, const std::string &precision, int threads) {
+  constexpr const char *names[] = {"a inside b", "b inside a", "overlapping", "unknown"};
+  world_options options;
+  options.of = of;
+  options.want = answer_kind::any;
+  options.nested = true;
+  py::list out;
+  for (const nested_bodies &n : ask_bodies(w, options, precision, threads).nested)
+    out.append(py::make_tuple(n.a, n.b, names[static_cast<int>(n.how)], n.why));
+  return out;
+}
+
+template <class World, class... Holder> void bind_bodies(py::class_<World, Holder...> &to) {
+  to.def("touching", &touching_bodies_of<World>, py::arg("of"), py::arg("precision"), py::arg("want"),
+         py::arg("threads"));
+  to.def("nested", &nested_bodies_of<World>, py::arg("of"), py::arg("precision"), py::arg("threads"));
+}
+
+} // namespace meetc::python
+
+#endif
