@@ -70,9 +70,12 @@ class Managed(ctypes.Structure):
     _fields_ = [("of", Tensor), ("context", ctypes.c_void_p), ("deleter", DELETER)]
 
 
+lent = []  # a producer lives until its tensors are given back
+
+
 class ByDLPack(Producer):
     deleted = 0
-    streams, lent = (), ()
+    streams = ()
 
     def __dlpack_device__(self):
         return (2, 0)
@@ -87,7 +90,7 @@ class ByDLPack(Producer):
         managed = Managed(tensor, None, DELETER(self.delete))
         new = ctypes.pythonapi.PyCapsule_New
         new.restype, new.argtypes = ctypes.py_object, [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_void_p]
-        self.lent += ((managed, shape, strides),)
+        lent.append((self, managed, shape, strides))
         return new(ctypes.addressof(managed), NAME, None)
 
     def delete(self, _):
@@ -187,7 +190,7 @@ class There(unittest.TestCase):
         mesh, other = (Set.triangles(lattice_triangles(rng, n, 4)) for n in (300, 200))
         balls = Set.spheres(rng.integers(0, 4, (50, 3)), 0.5)
         poses = np.tile(np.eye(4), (40, 1, 1))
-        poses[:, :3, 3] = rng.integers(-6, 7, (40, 3)) / 2
+        poses[:, :3, 3] = rng.integers(-12, 13, (40, 3)) / 2
         for a, b in ((mesh, other), (mesh, balls), (balls, mesh), (mesh, mesh)):
             for want in ("count", "any"):
                 here = meetc.over_poses(a, b, poses, want=want)
@@ -261,12 +264,12 @@ class There(unittest.TestCase):
              "vertices: on a device, numbers are of type <f4, not <f8"),
             (lambda: DeviceSet(numbers, ByInterface(SQUARE_FACES.astype(np.int16))), TypeError,
              "faces: on a device, numbers are of type <i4 or <u4 or <i8, not <i2"),
-            (lambda: meetc.count(DeviceSet(numbers, ByInterface(SQUARE_FACES - (1 << 32))), Set(SQUARE, SQUARE_FACES)),
+            (lambda: meetc.count(DeviceSet(numbers, ByInterface(SQUARE_FACES.astype(np.int64) - (1 << 32))), Set(SQUARE, SQUARE_FACES)),
              meetc.InputError, "element 0"),
             (lambda: meetc.first(DeviceSet(numbers, index), Set(SQUARE, SQUARE_FACES)), meetc.InputError,
              "first: it is asked of segments and triangles, not of triangle and triangle"),
-            (lambda: meetc.over_poses(Set(SQUARE, SQUARE_FACES), Set(SQUARE, SQUARE_FACES), np.full((1, 4, 4), 1e300),
-                                      device="cuda"), meetc.InputError, "poses"),
+            (lambda: meetc.over_poses(Set(SQUARE, SQUARE_FACES), Set(SQUARE, SQUARE_FACES), lifted(1e300)[None],
+                                      device="cuda"), meetc.InputError, "pose 0: "),
             (lambda: DeviceSet(numbers), meetc.InputError, "vertices: its shape is (4, 3), not (n, 9)"),
             (lambda: DeviceSet(SQUARE, index), TypeError, "vertices: an array on the device is needed, not ndarray"),
             (lambda: DeviceSet(OnVulkan(), index), TypeError, "vertices: it lies on a device of kind 7"),

@@ -1,6 +1,6 @@
-// python/the_device.hpp: the CUDA device on which the package's queries run.
-#ifndef MEETC_PYTHON_THE_DEVICE_HPP
-#define MEETC_PYTHON_THE_DEVICE_HPP
+// python/device/the_device.hpp: the CUDA device on which the package's queries run.
+#ifndef MEETC_PYTHON_DEVICE_THE_DEVICE_HPP
+#define MEETC_PYTHON_DEVICE_THE_DEVICE_HPP
 
 #include "meet/core/device/memory/device.hpp"
 

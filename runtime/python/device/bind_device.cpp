@@ -2,11 +2,11 @@
 #include "meet/core/device/set/narrow.hpp"
 #include "meet/core/device/world.hpp"
 #include "meet/python/bindings.hpp"
-#include "meet/python/dlpack.hpp"
+#include "meet/python/device/dlpack.hpp"
 #include "meet/python/faults.hpp"
 #include "meet/python/poses.hpp"
 #include "meet/python/questions.hpp"
-#include "meet/python/the_device.hpp"
+#include "meet/python/device/the_device.hpp"
 #include "meet/python/worlds.hpp"
 
 #include <cga/cga_cuda.hpp>

@@ -1,6 +1,6 @@
-// python/dlpack.hpp: the array in a capsule of DLPack, on whatever device it lies.
-#ifndef MEETC_PYTHON_DLPACK_HPP
-#define MEETC_PYTHON_DLPACK_HPP
+// python/device/dlpack.hpp: the array in a capsule of DLPack, on whatever device it lies.
+#ifndef MEETC_PYTHON_DEVICE_DLPACK_HPP
+#define MEETC_PYTHON_DEVICE_DLPACK_HPP
 
 #include <pybind11/pybind11.h>
 

@@ -1,4 +1,4 @@
-#include "meet/python/dlpack.hpp"
+#include "meet/python/device/dlpack.hpp"
 
 #include <cstdint>
 #include <string>

@@ -1,7 +1,7 @@
 #include "meet/core/device/evaluate.hpp"
 #include "meet/python/bindings.hpp"
 #include "meet/python/columns.hpp"
-#include "meet/python/the_device.hpp"
+#include "meet/python/device/the_device.hpp"
 
 #include <cga/cga_runtime.hpp>
 
