@@ -47,6 +47,7 @@ void measure_precision(const cpu_context &c, cpu_result &to);    // what certain
 void measure_candidates(const cpu_context &c, cpu_result &to);   // queries, beside other libraries
 void measure_balls(const cpu_context &c, cpu_result &to);        // many balls
 void measure_moved_bodies(const cpu_context &c, cpu_result &to); // many bodies
+void measure_contacts(const cpu_context &c, cpu_result &to);     // where meshes meet, and cross themselves
 void measure_families(const cpu_context &c, cpu_result &to);     // triangle pairs by families, beside CGAL
 
 } // namespace meetc::bench
