@@ -1,5 +1,6 @@
 // The module meetc._native.
 #include "meet/core/query/find.hpp"
+#include "meet/core/views/usage_error.hpp"
 #include "meet/python/bindings.hpp"
 #include "meet/python/faults.hpp"
 #include <cga/cga_runtime.hpp>
@@ -41,7 +42,7 @@ const kind_info &kind_named(std::string_view name) {
   for (int i = 0; i < all.kind_count; ++i)
     if (name == all.kinds[i].name)
       return all.kinds[i];
-  throw std::invalid_argument("no kind '" + std::string(name) + "'");
+  throw usage_error("no kind '" + std::string(name) + "'");
 }
 
 const predicate_info &predicate_named(std::string_view name) {
@@ -52,7 +53,7 @@ rung rung_named(std::string_view name) {
   for (int i = 0; i < 5; ++i)
     if (name == rung_names[i])
       return static_cast<rung>(i);
-  throw std::invalid_argument("no precision '" + std::string(name) + "'");
+  throw usage_error("no precision '" + std::string(name) + "'");
 }
 
 } // namespace meetc::python

@@ -2,15 +2,15 @@
 #ifndef MEETC_CORE_QUERY_FIND_HPP
 #define MEETC_CORE_QUERY_FIND_HPP
 
+#include "meet/core/views/usage_error.hpp"
 #include "meetc/support.hpp"
 
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
 namespace meetc {
 
-// Throws std::invalid_argument with the known names where the catalogue has no such predicate.
+// Throws usage_error with the known names where the catalogue has no such predicate.
 inline const predicate_info &find_predicate(const catalogue &in, std::string_view name) {
   std::string known;
   for (int i = 0; i < in.predicate_count; ++i) {
@@ -18,8 +18,8 @@ inline const predicate_info &find_predicate(const catalogue &in, std::string_vie
       return in.predicates[i];
     known += std::string(i == 0 ? "" : ", ") + in.predicates[i].name;
   }
-  throw std::invalid_argument("no predicate '" + std::string(name) + "' in " + in.space +
-                              (known.empty() ? "; there is none" : "; there are: " + known));
+  throw usage_error("no predicate '" + std::string(name) + "' in " + in.space +
+                    (known.empty() ? "; there is none" : "; there are: " + known));
 }
 
 } // namespace meetc
