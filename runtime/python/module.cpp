@@ -38,11 +38,7 @@ std::vector<std::pair<std::string, std::string>> kinds() {
 } // namespace
 
 const kind_info &kind_named(std::string_view name) {
-  const catalogue &all = cga::catalogue();
-  for (int i = 0; i < all.kind_count; ++i)
-    if (name == all.kinds[i].name)
-      return all.kinds[i];
-  throw usage_error("no kind '" + std::string(name) + "'");
+  return find_kind(cga::catalogue(), name);
 }
 
 const predicate_info &predicate_named(std::string_view name) {

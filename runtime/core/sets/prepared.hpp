@@ -21,6 +21,7 @@ public:
   // `before` is put in front of the text.
   input_error(const fault &f, const kind_info &kind, const std::string &before = {})
       : std::invalid_argument(before + describe(f, kind)), where(f) {}
+  input_error(const fault &f, const std::string &text) : std::invalid_argument(text), where(f) {}
   fault where;
 };
 

@@ -1,6 +1,5 @@
 #include "meet/core/world/world.hpp"
 
-#include "meet/core/answers/pair_list.hpp"
 #include "meet/core/sets/posed_blocks.hpp"
 #include "meet/core/threads/threads.hpp"
 #include "meet/core/views/usage_error.hpp"
@@ -69,13 +68,7 @@ void require_movable(const std::string &name, const kind_info &kind, const pose 
 } // namespace
 
 touching_bodies near_bodies::told(result found) const {
-  if (by.swapped) {
-    found.pairs = transposed(std::move(found.pairs));
-    std::swap(found.flags.a, found.flags.b);
-    std::swap(found.counts.a, found.counts.b);
-    std::swap(found.rungs.left_box_a, found.rungs.left_box_b);
-  }
-  return {a, b, std::move(found)};
+  return {a, b, by.swapped ? turned(std::move(found)) : std::move(found)};
 }
 
 world::world(const catalogue &all, std::string_view mode) : all_(all), mode_(mode) {}
