@@ -10,7 +10,7 @@
 
 namespace meetc {
 
-// Both throw usage_error with the known names where the catalogue has no such.
+// Throws usage_error with the known names where the catalogue has no such predicate.
 inline const predicate_info &find_predicate(const catalogue &in, std::string_view name) {
   std::string known;
   for (int i = 0; i < in.predicate_count; ++i) {
@@ -22,6 +22,7 @@ inline const predicate_info &find_predicate(const catalogue &in, std::string_vie
                     (known.empty() ? "; there is none" : "; there are: " + known));
 }
 
+// Likewise of a kind.
 inline const kind_info &find_kind(const catalogue &in, std::string_view name) {
   std::string known;
   for (int i = 0; i < in.kind_count; ++i) {
