@@ -115,13 +115,17 @@ template <std::size_t N, class T, class From> place<T> place_in(From &&from, con
 
 // The member `part` of each record.
 template <std::size_t N, class T, class From, class Member, class Record>
-place<T> place_in(const From &records, Member Record::*part, const char *name) {
-  static_assert(range_of_objects<const From &>, "meet: records lie in a contiguous range with a size");
-  const auto count = static_cast<std::size_t>(std::ranges::size(records));
-  const auto *const first = std::ranges::data(records);
-  place<T> found =
-      place_of<N, T>(count == 0 ? static_cast<const Member *>(nullptr) : &(first->*part), count, sizeof(*first), name);
-  return found;
+place<T> place_in(From &&records, Member Record::*part, const char *name) {
+  if constexpr (!range_of_objects<From>)
+    static_assert(never<From>, "meet: records lie in a contiguous range with a size, such as std::vector or std::span");
+  else if constexpr (!outlives_the_call<From>)
+    static_assert(never<From>, "meet: the container is a temporary, and a view of it would outlive it: give it a name");
+  else {
+    const auto count = static_cast<std::size_t>(std::ranges::size(records));
+    const auto *const first = std::ranges::data(records);
+    return place_of<N, T>(count == 0 ? static_cast<const Member *>(nullptr) : &(first->*part), count, sizeof(*first),
+                          name);
+  }
 }
 
 } // namespace detail
@@ -136,7 +140,8 @@ public:
   requires(!std::same_as<std::remove_cvref_t<From>, rows>) rows(From &&from)
       : place(detail::place_in<N, float>(std::forward<From>(from), "rows")) {} // NOLINT: implicit
   template <class From, class Member, class Record>
-  rows(const From &records, Member Record::*part) : place(detail::place_in<N, float>(records, part, "rows")) {}
+  rows(From &&records, Member Record::*part)
+      : place(detail::place_in<N, float>(std::forward<From>(records), part, "rows")) {}
 };
 
 // The same of indices, which lie packed.

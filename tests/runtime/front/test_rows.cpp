@@ -103,7 +103,8 @@ TEST_CASE("front: members of records, and pointers with strides") {
   same(meet::points({flat, 2, 24}), "point", flat, 0, 24, nullptr, 2);
   same(meet::points({flat, 4}), "point", flat, 0, 12, nullptr, 4);
   same(meet::triangles({flat, 4}, {faces[0].data(), 2}), "triangle", flat, 4, 12, faces.data(), 2);
-  CHECK(meet::prepare(meet::points({std::vector<record>(), &record::at})).elements() == 0);
+  const std::vector<record> none;
+  CHECK(meet::prepare(meet::points({none, &record::at})).elements() == 0);
 }
 
 TEST_CASE("front: a kind of any catalogue") {
