@@ -33,9 +33,11 @@ endif()
 set(MEETC_ALGEBRA_DIR "${PROJECT_SOURCE_DIR}/algebra_spec" CACHE INTERNAL "Folder of the algebras that come with meetc")
 
 # The headers for users, below runtime/. Headers that only others of the runtime include are not installed.
-set(MEETC_CORE_HEADERS answers/answers.hpp query/collide.hpp query/evaluate.hpp query/find.hpp query/pairs.hpp sets/prepared.hpp views/check.hpp
-  views/memory.hpp views/pose.hpp views/status.hpp views/view.hpp)
+set(MEETC_CORE_HEADERS answers/answers.hpp query/ask.hpp query/collide.hpp query/evaluate.hpp query/find.hpp
+  query/pairs.hpp sets/prepared.hpp views/check.hpp views/memory.hpp views/pose.hpp views/status.hpp views/usage_error.hpp
+  views/view.hpp)
 set(MEETC_WORLD_HEADERS contacts/contacts.hpp query/fitting.hpp query/self_pairs.hpp world/world.hpp)
+set(MEETC_FRONT_HEADERS front/rounded.hpp front/row_of.hpp front/rows.hpp meet.hpp)
 set(MEETC_DEVICE_HEADERS answers/device_result.hpp collide.hpp contacts.hpp evaluate.hpp every_pair/engine.hpp group.hpp
   memory/device.hpp memory/memory.hpp self_pairs.hpp set/device_set.hpp set/given.hpp set/rows.hpp set/tree.hpp world.hpp)
 set(MEETC_IO_HEADERS elements/element_set.hpp elements/transform.hpp files/atomic_file.hpp files/error.hpp read.hpp
@@ -100,6 +102,7 @@ if(TARGET meet_core AND TARGET meet_kernels)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/generated/default/cga" "${PROJECT_SOURCE_DIR}/generated/neighbours/neighbours"
     DESTINATION "${MEETC_INSTALL_HEADERS}" COMPONENT meetc_runtime FILES_MATCHING PATTERN "*.hpp"
     PATTERN "proofs" EXCLUDE ${launchers})
+  meetc_install_headers("${PROJECT_SOURCE_DIR}/runtime" meet ${MEETC_FRONT_HEADERS})
 endif()
 
 # A separate export set, so that the runtime is found without fmt.

@@ -37,6 +37,7 @@ struct read_options {
 element_set read(const std::filesystem::path &path, std::span<const kind_info *const> kinds,
                  const read_options &how = {});
 
+// The same, moved.
 inline element_set read(const std::filesystem::path &path, std::span<const kind_info *const> kinds,
                         const transform &move) {
   return read(path, kinds, read_options{move});

@@ -21,7 +21,7 @@ void bind_polygons(pybind11::module_ &module);
 void bind_device(pybind11::module_ &module); // in a build with CUDA, as this:
 void bind_evaluate_there(pybind11::module_ &module);
 
-// Throw std::invalid_argument for a name that the shipped catalogue does not have.
+// Throw usage_error for a name that the shipped catalogue does not have.
 const kind_info &kind_named(std::string_view name);
 const predicate_info &predicate_named(std::string_view name);
 rung rung_named(std::string_view name);

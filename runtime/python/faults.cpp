@@ -17,6 +17,7 @@ const char *name_of(fault_kind kind) {
   case fault_kind::index:
     return "index";
   case fault_kind::value:
+  case fault_kind::unheld:
     return "value";
   case fault_kind::moved:
   case fault_kind::rounded:

@@ -1,5 +1,6 @@
 // The module meetc._native.
 #include "meet/core/query/find.hpp"
+#include "meet/core/views/usage_error.hpp"
 #include "meet/python/bindings.hpp"
 #include "meet/python/faults.hpp"
 #include <cga/cga_runtime.hpp>
@@ -37,11 +38,7 @@ std::vector<std::pair<std::string, std::string>> kinds() {
 } // namespace
 
 const kind_info &kind_named(std::string_view name) {
-  const catalogue &all = cga::catalogue();
-  for (int i = 0; i < all.kind_count; ++i)
-    if (name == all.kinds[i].name)
-      return all.kinds[i];
-  throw std::invalid_argument("no kind '" + std::string(name) + "'");
+  return find_kind(cga::catalogue(), name);
 }
 
 const predicate_info &predicate_named(std::string_view name) {
@@ -52,7 +49,7 @@ rung rung_named(std::string_view name) {
   for (int i = 0; i < 5; ++i)
     if (name == rung_names[i])
       return static_cast<rung>(i);
-  throw std::invalid_argument("no precision '" + std::string(name) + "'");
+  throw usage_error("no precision '" + std::string(name) + "'");
 }
 
 } // namespace meetc::python

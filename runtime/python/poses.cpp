@@ -2,6 +2,7 @@
 
 #include "meet/core/sets/element_set.hpp"
 #include "meet/core/threads/threads.hpp"
+#include "meet/core/views/usage_error.hpp"
 #include "meet/io/elements/transform.hpp"
 
 #include <algorithm>
@@ -38,8 +39,8 @@ pose pose_of(std::span<const double> matrix, const kind_info &kind) {
     return out;
   const std::optional<double> scale = io::similarity_scale(numbers);
   if (!scale)
-    throw std::invalid_argument("the pose is no similarity, and a " + std::string(kind.name) +
-                                " keeps its shape under these alone");
+    throw usage_error("the pose is no similarity, and a " + std::string(kind.name) +
+                      " keeps its shape under these alone");
   out.length_scale = *scale;
   return out;
 }

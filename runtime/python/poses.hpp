@@ -9,7 +9,7 @@
 
 namespace meetc::python {
 
-// The pose of twelve numbers, row by row, for this kind. Throws std::invalid_argument where the kind has a length and the
+// The pose of twelve numbers, row by row, for this kind. Throws usage_error where the kind has a length and the
 // matrix is no similarity.
 pose pose_of(std::span<const double> matrix, const kind_info &kind);
 

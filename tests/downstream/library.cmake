@@ -31,6 +31,37 @@ if(NOT headers STREQUAL "meetc;meetc/cga;meetc/meet;meetc/meetc;meetc/neighbours
   fail("installed: ${headers}")
 endif()
 
+# Without CMake: the one -I and the libraries that pkg-config names.
+find_program(pkg_config pkg-config)
+if(pkg_config)
+  file(GLOB_RECURSE pc "${RUNTIME_PREFIX}/meetc.pc")
+  get_filename_component(pc "${pc}" DIRECTORY)
+  set(ENV{PKG_CONFIG_PATH} "${pc}")
+  run(${pkg_config} --cflags meetc)
+  string(REGEX MATCHALL "-I" folders "${OUTPUT}")
+  if(NOT folders STREQUAL "-I")
+    fail("pkg-config --cflags meetc: ${OUTPUT}")
+  endif()
+  run(${pkg_config} --cflags --libs meetc)
+  separate_arguments(flags UNIX_COMMAND "${OUTPUT}")
+  run("${CXX}" -std=c++20 "${ROOM}/library/library.cpp" ${flags} -o "${ROOM}/by_pkg_config")
+  run("${ROOM}/by_pkg_config")
+  expect("2 pairs at height 0")
+endif()
+
+# The libraries of the program are hidden: whoever looks for one fails.
+set(hidden "")
+foreach(library CLI11 PNG ZLIB nlohmann_json tinyxml2)
+  list(APPEND hidden "-DCMAKE_DISABLE_FIND_PACKAGE_${library}=ON")
+endforeach()
+set(small -DMEETC_CUDA=OFF -DMEETC_BUILD_GENERATOR=OFF -DMEETC_BUILD_TESTS=OFF ${hidden} -B "${ROOM}/meetc-build")
+configure_to_fail("${SOURCE}" ${small} -DMEETC_BUILD_PROGRAM=ON)
+expect("CLI11")
+configure("${SOURCE}" ${small} -DMEETC_BUILD_PROGRAM=OFF)
+run(${CMAKE_COMMAND} --build "${ROOM}/meetc-build" --target help)
+expect("meet_core" "meet_kernels" "meet_io")
+expect_none("meet_app" "meet_picture" "meet_report")
+
 # The same project with meetc added in other ways. It is only configured, since the main build has compiled the same code. A
 # subproject builds no program, and looks for none of the program's libraries.
 function(plan how text)
@@ -42,8 +73,7 @@ function(plan how text)
   file(COPY "${ROOM}/library/library.cpp" "${ROOM}/library/pair.cpp" "${ROOM}/library/read.cpp" "${ROOM}/library/values.cpp"
     DESTINATION "${ROOM}/${how}")
   file(WRITE "${ROOM}/${how}/CMakeLists.txt" "${changed}")
-  configure("${ROOM}/${how}" -DMEETC_CUDA=OFF -DMEETC_BUILD_GENERATOR=OFF -DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON
-    -DCMAKE_DISABLE_FIND_PACKAGE_PNG=ON -DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON)
+  configure("${ROOM}/${how}" -DMEETC_CUDA=OFF -DMEETC_BUILD_GENERATOR=OFF ${hidden})
   if(GENERATOR STREQUAL "Ninja")
     run("${MAKE_PROGRAM}" -C "${ROOM}/${how}-build" -n library)
     expect("libmeet_kernels" "Linking CXX executable library")

@@ -30,8 +30,8 @@ BEGIN {
         " core/threads core/views core/hierarchy core/sets core/answers core/traversal core/cascade core/query core/world" \
         " core/contacts" \
         " core/device/memory core/device/set core/device/walk core/device/answers core/device/query core/device" \
-        " core/device/every_pair io/files io/text io/elements io/polygon io/mesh io python python/device picture report bodies" \
-        " app/input app/text app/query app/output app/inspect app/world app/commands bench/peers bench/baselines bench/truth" \
+        " core/device/every_pair io/files io/text io/elements io/polygon io/mesh io front python" \
+        " python/device picture report bodies app/input app/text app/query app/output app/inspect app/world app/commands bench/peers bench/baselines bench/truth" \
         " bench/harness bench/scenes bench/tables bench/tables/cpu bench/tables/gpu bench/tables/paper bench/tables/trade" \
         " bench/tables/command main", order_runtime, " ")
   for (i = 1; i in order_runtime; ++i) {
@@ -50,7 +50,7 @@ BEGIN {
   for (room in rooms) {
     if (room ~ /^runtime\/kernel/)
       may["generated", room] = 1
-    if (room ~ /^runtime\/(app|python|bench\/tables|bench\/truth|main)/)
+    if (room ~ /^runtime\/(front|app|python|bench\/tables|bench\/truth|main)/)
       may[room, "generated"] = 1
   }
 
@@ -72,6 +72,8 @@ function folder(path) {
 function room_of(path,    room) {
   if (path == "runtime/main.cpp")
     return "runtime/main"
+  if (path == "runtime/meet.hpp")
+    return "runtime/front"
   if (path ~ /^generated\//)
     return "generated"
   room = folder(path)

@@ -2,12 +2,11 @@
 #include "scene.hpp"
 
 #include <cell/cell_runtime.hpp>
-#include <meet/core/query/collide.hpp>
-#include <meet/core/query/find.hpp>
 
 int main() {
-  const meetc::predicate_info &touch = meetc::find_predicate(cell::catalogue(), "ball_capsule");
+  const meetc::catalogue &kinds = cell::catalogue();
   const std::vector<cell::sphere<float>> balls = lattice();
-  const meetc::prepared a = meetc::prepare(rows(balls), *touch.a), b = meetc::prepare(rows(arm), *touch.b);
-  print(meetc::collide(a, b, touch, meetc::rung::certified));
+  const meet::prepared a = meet::prepare(meet::elements_of(meetc::find_kind(kinds, "sphere"), balls));
+  const meet::prepared b = meet::prepare(meet::elements_of(meetc::find_kind(kinds, "capsule"), arm));
+  print(meet::pairs(a, b, {}, kinds));
 }

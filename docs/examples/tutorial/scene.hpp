@@ -3,8 +3,7 @@
 
 #include <cell/cell.hpp>
 #include <cstdio>
-#include <meet/core/query/collide.hpp>
-#include <span>
+#include <meet/meet.hpp>
 #include <vector>
 
 // An arm of three links that are 1/4 thick.
@@ -22,16 +21,9 @@ inline std::vector<cell::sphere<float>> lattice() {
   return balls;
 }
 
-// Elements in memory: a row of a kind is its numbers, in the order of the spec.
-template <class Elements> meetc::view rows(const Elements &elements) {
-  const auto span = std::span(elements);
-  return {
-      .data = reinterpret_cast<const float *>(span.data()), .stride_bytes = sizeof(span[0]), .elements = span.size()};
-}
-
-inline void print(const meetc::result &found) {
+inline void print(const std::vector<meet::index_pair> &pairs) {
   std::size_t of_link[3] = {};
-  for (const meetc::index_pair &pair : found.pairs)
+  for (const meet::index_pair &pair : pairs)
     ++of_link[pair.b];
-  std::printf("%zu pairs: %zu %zu %zu\n", found.pairs.size(), of_link[0], of_link[1], of_link[2]);
+  std::printf("%zu pairs: %zu %zu %zu\n", pairs.size(), of_link[0], of_link[1], of_link[2]);
 }

@@ -25,6 +25,8 @@ void add_parts(const unit &u, std::size_t kernel, std::vector<file> &out) {
   if (p.bounds)
     out.push_back({fmt::format("{}/detail/{}_bounds.hpp", space, name), bounds_header(p)});
   out.push_back({fmt::format("{}/detail/{}_later.hpp", space, name), later_header(p)});
+  if (u.asks(lang::rung::certified) || u.asks(lang::rung::exact))
+    out.push_back({fmt::format("{}/alone/{}.hpp", space, name), alone_header(p)});
   out.push_back({fmt::format("{}/src/{}.cpp", space, name), predicate_source(p)});
 }
 } // namespace

@@ -51,8 +51,13 @@ std::vector<std::string> called_by(const emitted_predicate &p);
 // The files in detail/: the bounds of the stages before the rare one, and all that only the rungs after fp32 need.
 std::string bounds_header(const emitted_predicate &p);
 std::string later_header(const emitted_predicate &p);
+// After fp32: the whole cascade, or exact integers alone, which decide every pair that is left, and compile in a fifth of the
+// time.
+enum class last_rungs { all, integers };
 // Definitions of the functions that are compiled in the generated library; `head` precedes each.
-std::string out_of_line(const emitted_predicate &p, const std::string &head);
+std::string out_of_line(const emitted_predicate &p, const std::string &head, last_rungs which = last_rungs::all);
+// They as a header of this predicate, with exact integers after fp32.
+std::string alone_header(const emitted_predicate &p);
 // The source of the library that compiles them.
 std::string predicate_source(const emitted_predicate &p);
 // "triangle_triangle_info": the function in detail:: that returns a predicate's entry in the runtime's table.

@@ -81,6 +81,16 @@ std::string predicate_source(const emitted_predicate &p) {
   return out + fmt::format("\n}} // namespace {}\n", space);
 }
 
+std::string alone_header(const emitted_predicate &p) {
+  const std::string name = p.kernel.asked.name();
+  return banner(p.of.scene, fmt::format("{} for a program that needs little else: header-only, and soon compiled.",
+                                        p.kernel.asked.text)) +
+         open_header(p.of.scene, "alone_" + name, {name + ".hpp", fmt::format("detail/{}_later.hpp", name)}) +
+         "// Include this wherever it is called, in a program that neither is linked with the library nor includes\n"
+         "// header_only.hpp. Pairs that fp32 leaves unsure are decided in exact integers: as right, and slower.\n" +
+         out_of_line(p, "inline ", last_rungs::integers) + close_header(p.of.scene);
+}
+
 std::string header_only(const unit &u) {
   std::string out = banner(u.scene, "For header-only users: defines inline what the generated library would compile.");
   std::vector<std::string> includes, rest; // a kernel's header precedes its rest header

@@ -151,7 +151,7 @@ std::string later_header(const emitted_predicate &p) {
   return out + close_header(p.of.scene);
 }
 
-std::string out_of_line(const emitted_predicate &p, const std::string &head) {
+std::string out_of_line(const emitted_predicate &p, const std::string &head, last_rungs which) {
   const char *type = p.kernel.is_sign ? "meetc::sign" : "bool";
   const char *of = p.kernel.is_sign ? "_sign" : "";
   constexpr const char *rows = "(const float *row_a, const float *row_b)";
@@ -160,10 +160,16 @@ std::string out_of_line(const emitted_predicate &p, const std::string &head) {
     out += fmt::format("{}{} {}::{}{} {{\n  return meetc::{}(row_a, row_b);\n}}\n", head, result, p.name, name, rows,
                        call);
   };
-  if (p.of.asks(lang::rung::certified))
-    define(type, "after_fp32", fmt::format("later_rungs{}<{}>", of, p.name));
-  else if (p.of.asks(lang::rung::exact))
-    define(type, "exactly", fmt::format("decide_exactly{}<{}>", of, p.name));
+  const bool certified = p.of.asks(lang::rung::certified);
+  if (certified || p.of.asks(lang::rung::exact)) {
+    const char *const name = certified ? "after_fp32" : "exactly";
+    if (which == last_rungs::integers)
+      out += fmt::format(
+          "{0}{1} {2}::{3}{4} {{\n  return meetc::decide{5}<{2}>(meetc::integer_signs<{2}>(row_a, row_b));\n}}\n", head,
+          type, p.name, name, rows, of);
+    else
+      define(type, name, fmt::format("{}{}<{}>", certified ? "later_rungs" : "decide_exactly", of, p.name));
+  }
   if (p.tolerant)
     define(type, "tolerant_rest", fmt::format("tolerant_later_rungs<{}>", p.name));
   if (p.has_rare() && p.of.asks(lang::rung::certified))

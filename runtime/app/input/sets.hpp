@@ -12,9 +12,6 @@ inline bool is_mesh(const io::element_set &set) {
   return set.kind->points == 3 && set.kind->fields == 9;
 }
 
-// Borrows the set's memory: valid until the set is changed or destroyed.
-meetc::view view_of(const io::element_set &set);
-
 // Packs the set's elements (not its items: a polygon is several triangles). The set's `owner` goes to collide_options,
 // so that pairs are of items. `counterpart` and the errors are as in meetc::prepare; sets from io::read are
 // always good. With a grid, all numbers are rounded to it (pose::grid); one that leaves float32 is an input_error.

@@ -6,6 +6,7 @@
 #include "meet/core/views/check.hpp"
 #include "meet/core/views/numbered.hpp"
 #include "meet/core/views/rows.hpp"
+#include "meet/core/views/usage_error.hpp"
 
 #include <chrono>
 #include <cstring>
@@ -16,7 +17,7 @@ namespace {
 
 void require(bool holds, const std::string &what) {
   if (!holds)
-    throw std::invalid_argument("contacts: " + what);
+    throw usage_error("contacts: " + what);
 }
 void require_set(const view &elements, const kind_info &kind, const pose &at) {
   const char *const wrong = wrong_with(elements, kind);

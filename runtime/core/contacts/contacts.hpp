@@ -115,9 +115,9 @@ struct contact_options {
 // The contacts of pairs of elements of two views, for Real float or double. `predicate` decided the pairs: its kinds are those
 // of the views, and its scene asks for the sign that tells contacts (predicate_info::contacts is not null). Elements that are
 // apart have no contact. Memory grows with the pairs, and by four bytes for each element of the views. Throws
-// std::invalid_argument (a predicate without contacts, a bad view or pose), std::out_of_range (a pair of elements that are not
-// there; embedded_by for sets that are no triangles), input_error (a bad element of a pair, or with embedded_by of a view),
-// std::length_error or std::bad_alloc.
+// usage_error (a predicate without contacts, a bad view or pose, embedded_by for sets that are no triangles),
+// std::out_of_range (a pair of elements that are not there), input_error (a bad element of a pair, or with embedded_by of a
+// view), std::length_error or std::bad_alloc.
 template <class Real = float>
 contact_set<Real> contacts(const view &a, const view &b, const predicate_info &predicate,
                            std::span<const index_pair> pairs, const contact_options &options = {});

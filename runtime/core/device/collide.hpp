@@ -33,7 +33,7 @@ device_result collide(const device &on, device_set &a, device_set &b, const pred
                       const device_options &options = {});
 
 // One set is cut and the other whole; what is met first is asked of a set that is cut. Throws what collide() on one device
-// throws, and std::invalid_argument for options.leave_there. In the result, seconds are the host's wall clock,
+// throws, and usage_error for options.leave_there. In the result, seconds are the host's wall clock,
 // device_seconds those of the device that took longest, candidates, parts and rungs are summed. options.progress tells of
 // the first device.
 device_result collide(const device_group &on, group_set &a, group_set &b, const predicate_info &predicate,
@@ -49,7 +49,7 @@ struct poses_result {
 };
 
 // Each count is that of collide() on a and b in that pose, which replaces the pose of b for this call alone. Among the options,
-// owners are not read, and `want` is count or any. Throws what collide() throws, std::invalid_argument for other answers,
+// owners are not read, and `want` is count or any. Throws what collide() throws, usage_error for other answers,
 // and what device_set::move() throws for a pose, with its number in the text; poses count from 0. With answer_kind::any an
 // element that leaves float32 in a pose is no error where a sixteenth of the elements has told that the pose touches, and
 // one that breaks a rule of its kind is none where the pose is proved to keep the sets apart.
@@ -58,7 +58,7 @@ poses_result collide(const device &on, device_set &a, const device_set &b, std::
 
 // Bodies against bodies in many configurations, each of which has a pose for every body of B. poses[k * b.size() + j] is
 // that of body j in configuration k. counts[i * poses.size() + k * b.size() + j] of the result is that of collide()
-// for body i of A and that pose. Throws what that throws, with a pose's place in `poses`, and std::invalid_argument where a
+// for body i of A and that pose. Throws what that throws, with a pose's place in `poses`, and usage_error where a
 // configuration lacks poses.
 poses_result collide(const device &on, std::span<device_set *const> a, std::span<const device_set *const> b,
                      std::span<const pose> poses, const predicate_info &predicate, rung precision,

@@ -2,6 +2,7 @@
 
 #include "meet/core/device/memory/memory.hpp"
 #include "meet/core/device/query/slots.hpp"
+#include "meet/core/views/usage_error.hpp"
 
 #include <stdexcept>
 #include <string>
@@ -124,10 +125,10 @@ const cuda::formula_launchers &launchers_of(const device &on, const formula_info
   for (int i = 0; i < all.formula_count; ++i)
     if (const cuda::formula_launchers &f = all.formulas[i]; std::string_view(f.name) == formula.name) {
       if (f.number_count != formula.number_count || f.result_count != formula.result_count)
-        throw std::invalid_argument(std::string(formula.name) + " is another formula on the device");
+        throw usage_error(std::string(formula.name) + " is another formula on the device");
       return f;
     }
-  throw std::invalid_argument(std::string(formula.name) + ": the device's catalogue has no such formula");
+  throw usage_error(std::string(formula.name) + ": the device's catalogue has no such formula");
 }
 
 template <class Number>
@@ -165,15 +166,14 @@ values_there<Number> evaluate(const device &on, const formula_info &formula, con
   const device_set *const sets[] = {&a, &b};
   if (formula.operand_count != 2 || std::string_view(formula.operands[0].kind) != a.kind().name ||
       std::string_view(formula.operands[1].kind) != b.kind().name)
-    throw std::invalid_argument(std::string(formula.name) + " does not take a " + a.kind().name + " and a " +
-                                b.kind().name);
+    throw usage_error(std::string(formula.name) + " does not take a " + a.kind().name + " and a " + b.kind().name);
   const cuda::formula_launchers &launchers = launchers_of(on, formula);
   std::vector<column> in;
   for (const device_set *set : sets) {
     if (!(set->on() == on))
-      throw std::invalid_argument("a set lies on another device");
+      throw usage_error("a set lies on another device");
     if (set->as_given())
-      throw std::invalid_argument("the rows of a given set are in no order; make a set that is");
+      throw usage_error("the rows of a given set are in no order; make a set that is");
     const int fields = set->kind().fields;
     for (int k = 0; k < fields; ++k)
       in.push_back({set->rows().data() + k, fields});

@@ -10,7 +10,7 @@
 
 namespace meetc {
 
-// The launchers of a formula of this name. Throws std::invalid_argument where the device's catalogue has none.
+// The launchers of a formula of this name. Throws usage_error where the device's catalogue has none.
 const cuda::formula_launchers &launchers_of(const device &on, const formula_info &formula);
 
 // As evaluate() on a CPU, of objects in host memory: copies them to the device and the values back. Throws what that throws,
@@ -45,7 +45,7 @@ private:
 
 // The values for n pairs of elements of two sets in order on this device, as they are posed now: pairs[i].a is an element of a,
 // the formula's first operand. The pairs lie in device memory, as those of pairs_there do, and nothing but one number travels
-// to the host. The pairs must be written before the call, and the values are there on return. Throws std::invalid_argument
+// to the host. The pairs must be written before the call, and the values are there on return. Throws usage_error
 // where a set is given or on another device, and where the formula does not take these two kinds; std::out_of_range for an
 // element that a set does not hold; device_error.
 template <class Number>

@@ -9,6 +9,7 @@
 #include "meet/core/device/query/query.hpp"
 #include "meet/core/device/set/given.hpp"
 #include "meet/core/threads/threads.hpp"
+#include "meet/core/views/usage_error.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -22,7 +23,7 @@ namespace {
 
 void require(bool holds, const char *what) {
   if (!holds)
-    throw std::invalid_argument(what);
+    throw usage_error(what);
 }
 
 // CUDA's current device belongs to a thread.
@@ -118,8 +119,8 @@ device_group::device_group(const cuda::catalogue &kernels, std::span<const int> 
     const device says_why(kernels); // throws
   }
   if (last >= count)
-    throw device_error("there is no CUDA device number " + std::to_string(last) + " here: the last one is number " +
-                       std::to_string(count - 1));
+    throw missing_device("there is no CUDA device number " + std::to_string(last) + " here: the last one is number " +
+                         std::to_string(count - 1));
   for (const int number : numbers)
     devices_->push_back({number, {}});
   on_each([&](std::size_t i) { (*devices_)[i].on.emplace(kernels); });

@@ -27,7 +27,7 @@ namespace meetc {
 class device_group {
 public:
   // The devices with these numbers of CUDA. One that stands there twice runs two parts of a query at once. Throws
-  // std::invalid_argument where there is no number or a negative one, device_error where there is no such device, and what
+  // usage_error where there is no number or a negative one, missing_device where there is none of a number, and what
   // device() throws.
   device_group(const cuda::catalogue &kernels, std::span<const int> numbers);
 

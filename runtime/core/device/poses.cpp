@@ -10,6 +10,7 @@
 #include "meet/core/device/answers/element_numbers.hpp"
 #include "meet/core/device/query/query.hpp"
 #include "meet/core/views/pose.hpp"
+#include "meet/core/views/usage_error.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -132,21 +133,21 @@ poses_result count_configurations(const device &on, std::span<device_set *const>
   const auto start = std::chrono::steady_clock::now();
   const bool any = options.want == answer_kind::any;
   if (!any && options.want != answer_kind::count)
-    throw std::invalid_argument("many poses are answered by counts, or by whether anything touches");
+    throw usage_error("many poses are answered by counts, or by whether anything touches");
   if (options.first_met)
-    throw std::invalid_argument("many poses do not say what is met first");
+    throw usage_error("many poses do not say what is met first");
   if (poses.size() % std::max<std::size_t>(b.size(), 1) != 0 || (b.empty() && !poses.empty()))
-    throw std::invalid_argument("a configuration has a pose for each body");
+    throw usage_error("a configuration has a pose for each body");
   for (std::size_t i = 0; i < poses.size(); ++i)
     try {
       require_movable(b[i % b.size()]->kind(), poses[i]);
     } catch (const std::invalid_argument &e) {
-      throw std::invalid_argument("pose " + std::to_string(i) + ": " + e.what());
+      throw usage_error("pose " + std::to_string(i) + ": " + e.what());
     }
   for (device_set *const body : a)
     for (const device_set *const other : b) {
       if (body->as_given() || other->as_given())
-        throw std::invalid_argument("many poses are asked of sets that are in order");
+        throw usage_error("many poses are asked of sets that are in order");
       require_query(on, *body, *other, predicate, precision, options);
     }
   // A plain rung may say that what is far apart touches.

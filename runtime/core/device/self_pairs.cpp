@@ -8,6 +8,7 @@
 #include "meet/core/device/query/query.hpp"
 #include "meet/core/query/operand.hpp"
 #include "meet/core/views/collinear.hpp"
+#include "meet/core/views/usage_error.hpp"
 #include "meetc/cuda/cascade.hpp"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ using on_device::orders_of_corners;
 
 void require(bool holds, const char *text) {
   if (!holds)
-    throw std::invalid_argument(text);
+    throw usage_error(text);
 }
 
 // The corners of a mesh, and the items of its elements.

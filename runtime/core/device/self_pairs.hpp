@@ -30,7 +30,7 @@ struct device_self_result : self_result {
 };
 
 // `neighbours` has the launchers of one_common and two_common, and the device's own catalogue those of `apart`. Takes some 330
-// bytes an element while it runs. rungs.unsure may count fewer pairs in fp32 than on the CPU. Throws std::invalid_argument (a
+// bytes an element while it runs. rungs.unsure may count fewer pairs in fp32 than on the CPU. Throws usage_error (a
 // set on another device, other kinds, vertices or an owner map of another length), std::length_error (a third of 2^31
 // elements), device_error, and for a given set what collide() throws.
 device_self_result self_pairs(const device &on, device_set &mesh, const self_predicates &predicates,

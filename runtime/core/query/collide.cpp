@@ -13,7 +13,7 @@ namespace {
 
 void require(bool holds, const char *what) {
   if (!holds)
-    throw std::invalid_argument(what);
+    throw usage_error(what);
 }
 
 bool owners_fit(std::span<const std::uint32_t> owners, const prepared &p) {

@@ -37,12 +37,12 @@ struct collide_options {
 };
 
 // Memory grows with what is asked for, with the pairs where there are owners, and by what the sets store
-// (core/sets/stored_rows.hpp); never with the product of the sets. Throws std::invalid_argument (kinds, rung, box or owners
+// (core/sets/stored_rows.hpp); never with the product of the sets. Throws usage_error (kinds, rung, box or owners
 // that do not fit) or std::bad_alloc.
 result collide(const prepared &a, const prepared &b, const predicate_info &predicate, rung precision,
                const collide_options &options = {});
 
-// Throws std::invalid_argument unless what is met first may be asked for, if it is or must be. It serves all engines.
+// Throws usage_error unless what is met first may be asked for, if it is or must be. It serves all engines.
 void require_first_met(const predicate_info &predicate, answer_kind want, bool asked,
                        std::span<const std::uint32_t> owner_a);
 

@@ -2,6 +2,7 @@
 
 #include "meet/core/sets/element_set.hpp"
 #include "meet/core/threads/threads.hpp"
+#include "meet/core/views/usage_error.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -32,10 +33,10 @@ template <class Number>
 void evaluate_all(const formula_info &f, const std::vector<column> &in, const std::uint32_t *rows, std::size_t n,
                   std::span<Number *const> out, int threads) {
   if (out.size() != static_cast<std::size_t>(f.result_count))
-    throw std::invalid_argument(std::string(f.name) + " has " + std::to_string(f.result_count) + " values, " +
-                                f.results + "; here is room for " + std::to_string(out.size()));
+    throw usage_error(std::string(f.name) + " has " + std::to_string(f.result_count) + " values, " + f.results +
+                      "; here is room for " + std::to_string(out.size()));
   if (n && std::any_of(out.begin(), out.end(), [](const Number *column) { return !column; }))
-    throw std::invalid_argument(std::string(f.name) + ": a column of values has no room");
+    throw usage_error(std::string(f.name) + ": a column of values has no room");
   const int workers = thread_count(threads);
   std::vector<column> first(in.size() * static_cast<std::size_t>(workers));
   std::vector<Number *> into(out.size() * static_cast<std::size_t>(workers));
@@ -90,8 +91,8 @@ const formula_info &formula_named(const catalogue &all, std::string_view text) {
   std::string known;
   for (int i = 0; i < all.formula_count; ++i)
     known += (i == 0 ? "" : "; ") + std::string(all.formulas[i].name);
-  throw std::invalid_argument("no formula '" + std::string(text) + "'; " + all.space + " has " +
-                              (known.empty() ? "none" : known));
+  throw usage_error("no formula '" + std::string(text) + "'; " + all.space + " has " +
+                    (known.empty() ? "none" : known));
 }
 
 void columns_of(const float *rows, std::span<column> into) {
@@ -102,17 +103,17 @@ void columns_of(const float *rows, std::span<column> into) {
 std::vector<column> columns_of(const formula_info &f, std::span<const operand_columns> operands) {
   const std::string name = f.name;
   if (operands.size() != static_cast<std::size_t>(f.operand_count))
-    throw std::invalid_argument(name + " takes " + std::to_string(f.operand_count) + " operands, not " +
-                                std::to_string(operands.size()));
+    throw usage_error(name + " takes " + std::to_string(f.operand_count) + " operands, not " +
+                      std::to_string(operands.size()));
   std::vector<column> out;
   for (std::size_t k = 0; k < operands.size(); ++k) {
     const formula_operand &of = f.operands[k];
     if (operands[k].numbers.size() != static_cast<std::size_t>(of.number_count))
-      throw std::invalid_argument(name + ": operand " + std::to_string(k) + ", a " + of.kind + ", has the columns " +
-                                  of.numbers + "; here are " + std::to_string(operands[k].numbers.size()));
+      throw usage_error(name + ": operand " + std::to_string(k) + ", a " + of.kind + ", has the columns " + of.numbers +
+                        "; here are " + std::to_string(operands[k].numbers.size()));
     for (const column &c : operands[k].numbers) {
       if (!c.data && operands[k].objects != 0)
-        throw std::invalid_argument(name + ": operand " + std::to_string(k) + " has a column without data");
+        throw usage_error(name + ": operand " + std::to_string(k) + " has a column without data");
       out.push_back(c);
     }
   }
@@ -122,8 +123,8 @@ std::vector<column> columns_of(const formula_info &f, std::span<const operand_co
 std::size_t common_objects(const formula_info &f, std::span<const operand_columns> operands) {
   for (const operand_columns &o : operands)
     if (o.objects != operands[0].objects)
-      throw std::invalid_argument(std::string(f.name) + ": the operands have " + std::to_string(operands[0].objects) +
-                                  " and " + std::to_string(o.objects) + " objects");
+      throw usage_error(std::string(f.name) + ": the operands have " + std::to_string(operands[0].objects) + " and " +
+                        std::to_string(o.objects) + " objects");
   return operands[0].objects;
 }
 
@@ -131,8 +132,8 @@ void require_rows(const formula_info &f, std::span<const operand_columns> operan
                   int threads) {
   const auto each = static_cast<std::size_t>(f.operand_count);
   if (rows.size() % each != 0)
-    throw std::invalid_argument(std::string(f.name) + ": " + std::to_string(rows.size()) + " rows are no multiple of " +
-                                std::to_string(each) + " operands");
+    throw usage_error(std::string(f.name) + ": " + std::to_string(rows.size()) + " rows are no multiple of " +
+                      std::to_string(each) + " operands");
   std::atomic<std::size_t> bad{rows.size()};
   for_chunks(thread_count(threads), rows.size() / each, std::size_t{1} << 16,
              [&](int, std::size_t begin, std::size_t end) {
@@ -178,8 +179,7 @@ formula_values<Number> evaluate(const formula_info &formula, const prepared &a, 
   const prepared *const sets[] = {&a, &b};
   if (formula.operand_count != 2 || std::string_view(formula.operands[0].kind) != a.kind().name ||
       std::string_view(formula.operands[1].kind) != b.kind().name)
-    throw std::invalid_argument(std::string(formula.name) + " does not take a " + a.kind().name + " and a " +
-                                b.kind().name);
+    throw usage_error(std::string(formula.name) + " does not take a " + a.kind().name + " and a " + b.kind().name);
   std::vector<std::uint32_t> rows(2 * pairs.size());
   const std::vector<std::uint32_t> slot_a = slots_of(a), slot_b = slots_of(b);
   const auto slot = [&](const std::vector<std::uint32_t> &slots, std::uint32_t element, char side) {

@@ -19,7 +19,7 @@ namespace meetc {
 
 // The formula that the scene asks for by this text, whatever its spaces; null: there is none.
 const formula_info *find_formula(const catalogue &all, std::string_view text);
-// The same; throws std::invalid_argument, which lists all, where there is none.
+// The same; throws usage_error, which lists all, where there is none.
 const formula_info &formula_named(const catalogue &all, std::string_view text);
 
 // The objects of one operand: a column for each of its stored numbers.
@@ -32,7 +32,7 @@ struct operand_columns {
 void columns_of(const float *rows, std::span<column> into);
 
 // Value i takes object i of every operand; all have as many objects. out: a column of as many numbers for each of
-// formula.result_count, which overlap neither each other nor an operand. threads: 0 is all cores. Throws std::invalid_argument
+// formula.result_count, which overlap neither each other nor an operand. threads: 0 is all cores. Throws usage_error
 // where the operands are not as the formula's.
 void evaluate(const formula_info &formula, std::span<const operand_columns> operands, std::span<float *const> out,
               int threads = 0);
@@ -54,16 +54,16 @@ template <class Number> struct formula_values {
   std::span<const Number> column(int k) const { return {numbers.data() + static_cast<std::size_t>(k) * count, count}; }
 };
 
-// The columns of all operands, one after another. Throws std::invalid_argument where the operands are not as the formula's,
+// The columns of all operands, one after another. Throws usage_error where the operands are not as the formula's,
 // and, for values column by column, where they have different numbers of objects.
 std::vector<column> columns_of(const formula_info &formula, std::span<const operand_columns> operands);
 std::size_t common_objects(const formula_info &formula, std::span<const operand_columns> operands);
-// Throws std::invalid_argument or std::out_of_range where these are no rows of the operands.
+// Throws usage_error or std::out_of_range where these are no rows of the operands.
 void require_rows(const formula_info &formula, std::span<const operand_columns> operands,
                   std::span<const std::uint32_t> rows, int threads = 0);
 
 // The values for pairs of elements of two prepared sets, as they were posed when they were prepared: pairs[i].a is an element
-// of a, the formula's first operand. Throws std::invalid_argument where the formula does not take these two kinds, and
+// of a, the formula's first operand. Throws usage_error where the formula does not take these two kinds, and
 // std::out_of_range for an element that a set does not hold.
 template <class Number>
 formula_values<Number> evaluate(const formula_info &formula, const prepared &a, const prepared &b,

@@ -1,16 +1,16 @@
-// core/query/find.hpp: finds a predicate of a catalogue by its name.
+// core/query/find.hpp: finds predicates and kinds of a catalogue by their names.
 #ifndef MEETC_CORE_QUERY_FIND_HPP
 #define MEETC_CORE_QUERY_FIND_HPP
 
+#include "meet/core/views/usage_error.hpp"
 #include "meetc/support.hpp"
 
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
 namespace meetc {
 
-// Throws std::invalid_argument with the known names where the catalogue has no such predicate.
+// Throws usage_error with the known names where the catalogue has no such predicate.
 inline const predicate_info &find_predicate(const catalogue &in, std::string_view name) {
   std::string known;
   for (int i = 0; i < in.predicate_count; ++i) {
@@ -18,8 +18,20 @@ inline const predicate_info &find_predicate(const catalogue &in, std::string_vie
       return in.predicates[i];
     known += std::string(i == 0 ? "" : ", ") + in.predicates[i].name;
   }
-  throw std::invalid_argument("no predicate '" + std::string(name) + "' in " + in.space +
-                              (known.empty() ? "; there is none" : "; there are: " + known));
+  throw usage_error("no predicate '" + std::string(name) + "' in " + in.space +
+                    (known.empty() ? "; there is none" : "; there are: " + known));
+}
+
+// Likewise of a kind.
+inline const kind_info &find_kind(const catalogue &in, std::string_view name) {
+  std::string known;
+  for (int i = 0; i < in.kind_count; ++i) {
+    if (in.kinds[i].name == name)
+      return in.kinds[i];
+    known += std::string(i == 0 ? "" : ", ") + in.kinds[i].name;
+  }
+  throw usage_error("no kind '" + std::string(name) + "' in " + in.space +
+                    (known.empty() ? "; there is none" : "; there are: " + known));
 }
 
 } // namespace meetc

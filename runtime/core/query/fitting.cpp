@@ -1,5 +1,9 @@
 #include "meet/core/query/fitting.hpp"
 
+#include "meet/core/answers/pair_list.hpp"
+
+#include <utility>
+
 namespace meetc {
 
 std::vector<choice> fitting(const catalogue &all, const kind_info &a, const kind_info &b) {
@@ -19,6 +23,14 @@ std::optional<choice> first_for(std::span<const choice> fit, std::string_view mo
     if (const std::string_view own = c.predicate->mode; own.empty() || own == mode)
       return c;
   return std::nullopt;
+}
+
+result turned(result found) {
+  found.pairs = transposed(std::move(found.pairs));
+  std::swap(found.flags.a, found.flags.b);
+  std::swap(found.counts.a, found.counts.b);
+  std::swap(found.rungs.left_box_a, found.rungs.left_box_b);
+  return found;
 }
 
 } // namespace meetc

@@ -5,7 +5,7 @@
 #ifndef MEETC_CORE_QUERY_FITTING_HPP
 #define MEETC_CORE_QUERY_FITTING_HPP
 
-#include "meetc/support.hpp"
+#include "meet/core/answers/answers.hpp"
 
 #include <optional>
 #include <span>
@@ -24,6 +24,9 @@ std::vector<choice> fitting(const catalogue &all, const kind_info &a, const kind
 
 // The first of these that answers for the mode, "solid" or "surface", or for both alike; nothing: there is none.
 std::optional<choice> first_for(std::span<const choice> fit, std::string_view mode);
+
+// An answer about b and a, as one about a and b.
+result turned(result found);
 
 } // namespace meetc
 

@@ -7,6 +7,7 @@
 #include "meet/core/query/operand.hpp"
 #include "meet/core/threads/threads.hpp"
 #include "meet/core/views/collinear.hpp"
+#include "meet/core/views/usage_error.hpp"
 
 #include <chrono>
 #include <cstring>
@@ -183,7 +184,7 @@ private:
 
 void require(bool holds, const char *text) {
   if (!holds)
-    throw std::invalid_argument(text);
+    throw usage_error(text);
 }
 
 void search_neighbours(const mesh_view &mesh, const self_predicates &by, std::vector<pair_list> &to, self_result &r) {

@@ -43,7 +43,7 @@ struct self_result {
 };
 
 // The mesh as it lies in `set`, which was prepared from this view. Memory grows with the elements and with the pairs found.
-// Throws std::invalid_argument (a set that is not whole, another view, other kinds), std::out_of_range (an index that is not
+// Throws usage_error (a set that is not whole, another view, other kinds), std::out_of_range (an index that is not
 // there), std::length_error (2^32 corners) or std::bad_alloc.
 self_result self_pairs(const prepared &set, const view &elements, const self_predicates &predicates,
                        const self_options &options = {});

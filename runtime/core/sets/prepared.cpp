@@ -65,7 +65,7 @@ prepared prepared::of(const view &elements, const kind_info &kind, const pose &a
   if (s == status::bad_view || s == status::bad_index || s == status::bad_value)
     throw input_error(check(elements, kind, at), kind);
   if (s != status::ok)
-    throw std::invalid_argument(text(s));
+    throw usage_error(text(s));
   p.elements_ = elements.elements;
   p.number_ = next_number();
   p.counterpart_ = counterpart ? counterpart->number_ : 0;
@@ -79,9 +79,9 @@ prepared prepared::of(const prepared &body, const pose &at, std::span<const box>
   const element_set &from = body.set();
   const kind_info &kind = body.kind();
   if (!body.whole())
-    throw std::invalid_argument("a body must hold all of its elements");
+    throw usage_error("a body must hold all of its elements");
   if (const status s = movable(kind, at); s != status::ok)
-    throw std::invalid_argument(text(s));
+    throw usage_error(text(s));
   const posed_blocks blocks(from, at, near);
   bump_allocator need;
   take_set(need, kind, blocks.elements());

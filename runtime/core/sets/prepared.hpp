@@ -5,6 +5,7 @@
 #include "meet/core/views/check.hpp"
 #include "meet/core/views/memory.hpp"
 #include "meet/core/views/pose.hpp"
+#include "meet/core/views/usage_error.hpp"
 #include "meet/core/views/view.hpp"
 
 #include <cstddef>
@@ -20,6 +21,7 @@ public:
   // `before` is put in front of the text.
   input_error(const fault &f, const kind_info &kind, const std::string &before = {})
       : std::invalid_argument(before + describe(f, kind)), where(f) {}
+  input_error(const fault &f, const std::string &text) : std::invalid_argument(text), where(f) {}
   fault where;
 };
 
@@ -80,7 +82,7 @@ private:
 // `counterpart`, the result is for collisions with that set alone: elements whose boxes do not touch its boxes are checked, but
 // neither copied nor ordered, and answers are still about all elements. This pays where one set is far larger or reaches
 // farther than the other. Throws input_error (an index beyond the vertices, a value that is not finite, a broken rule of the
-// kind, a view with null data or too short a stride), std::invalid_argument (a kind that cannot be moved), std::length_error
+// kind, a view with null data or too short a stride), usage_error (a kind that cannot be moved), std::length_error
 // (2^32 elements or more) or std::bad_alloc.
 prepared prepare(const view &elements, const kind_info &kind, const pose &at = {}, int threads = 0,
                  const prepared *counterpart = nullptr);

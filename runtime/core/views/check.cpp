@@ -92,6 +92,8 @@ std::string one_line(const fault &f, const kind_info &kind) {
     return where + name + " becomes " + value + ", rounded to a multiple of 2^" + std::to_string(std::ilogb(f.grid));
   case fault_kind::rule:
     return where + "breaks the rule " + f.rule;
+  case fault_kind::unheld:
+    return where + name + " is " + value + " as a float32, and was given otherwise";
   }
   return "no fault";
 }

@@ -17,6 +17,7 @@ enum class fault_kind : std::uint8_t {
   moved,   // finite as stored, but the pose takes it beyond float32
   rounded, // finite in its place, but its nearest multiple of the pose's grid lies beyond float32
   rule,    // the element breaks `rule` of its kind
+  unheld,  // no float32 holds the given number, and `value` is the nearest one
 };
 
 struct fault {

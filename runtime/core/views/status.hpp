@@ -22,6 +22,7 @@ enum class status : std::uint8_t {
   bad_argument,        // count is null, pairs have room but no memory, or the box is negative
 };
 
+// In words, without a full stop.
 constexpr const char *text(status s) {
   switch (s) {
   case status::ok:

@@ -1,8 +1,8 @@
 #include "meet/core/world/world.hpp"
 
-#include "meet/core/answers/pair_list.hpp"
 #include "meet/core/sets/posed_blocks.hpp"
 #include "meet/core/threads/threads.hpp"
+#include "meet/core/views/usage_error.hpp"
 #include "meet/core/world/nesting.hpp"
 
 #include <algorithm>
@@ -62,19 +62,13 @@ auto winding_of(const catalogue &all, const kind_info &kind) {
 
 void require_movable(const std::string &name, const kind_info &kind, const pose &at) {
   if (const status s = movable(kind, at); s != status::ok)
-    throw std::invalid_argument("body " + name + ": " + text(s));
+    throw usage_error("body " + name + ": " + text(s));
 }
 
 } // namespace
 
 touching_bodies near_bodies::told(result found) const {
-  if (by.swapped) {
-    found.pairs = transposed(std::move(found.pairs));
-    std::swap(found.flags.a, found.flags.b);
-    std::swap(found.counts.a, found.counts.b);
-    std::swap(found.rungs.left_box_a, found.rungs.left_box_b);
-  }
-  return {a, b, std::move(found)};
+  return {a, b, by.swapped ? turned(std::move(found)) : std::move(found)};
 }
 
 world::world(const catalogue &all, std::string_view mode) : all_(all), mode_(mode) {}
@@ -82,15 +76,15 @@ world::world(const catalogue &all, std::string_view mode) : all_(all), mode_(mod
 std::uint32_t world::add(std::string name, std::shared_ptr<const prepared> shape, const pose &at,
                          std::vector<std::uint32_t> owners) {
   if (name.empty())
-    throw std::invalid_argument("a body needs a name");
+    throw usage_error("a body needs a name");
   if (!shape || !shape->whole())
-    throw std::invalid_argument("body " + name + ": it needs a set that was prepared for any other");
+    throw usage_error("body " + name + ": it needs a set that was prepared for any other");
   if (!owners.empty() && owners.size() != shape->elements())
-    throw std::invalid_argument("body " + name + ": an owner map needs one item for each element");
+    throw usage_error("body " + name + ": an owner map needs one item for each element");
   require_movable(name, shape->kind(), at);
   const auto number = static_cast<std::uint32_t>(bodies_.size());
   if (!numbers_.try_emplace(name, number).second)
-    throw std::invalid_argument("body " + name + ": the name is taken");
+    throw usage_error("body " + name + ": the name is taken");
   bodies_.push_back({std::move(name), std::move(shape), at, std::move(owners)});
   return number;
 }
@@ -119,8 +113,8 @@ choice world::predicate_of(const entry &a, const entry &b) const {
   const kind_info &kind_a = a.shape->kind(), &kind_b = b.shape->kind();
   if (const std::optional<choice> c = first_for(fitting(all_, kind_a, kind_b), mode_))
     return *c;
-  throw std::invalid_argument("no predicate decides a " + std::string(kind_a.name) + " and a " + kind_b.name +
-                              ", as of the bodies " + a.name + " and " + b.name + "; ignore the pair");
+  throw usage_error("no predicate decides a " + std::string(kind_a.name) + " and a " + kind_b.name +
+                    ", as of the bodies " + a.name + " and " + b.name + "; ignore the pair");
 }
 
 world_answer world::touching(const world_options &options) const {
@@ -193,13 +187,13 @@ result world::collide_pair(const near_bodies &p, std::span<const prepared> shape
 
 void world::require_nesting(const world_options &options) const {
   if (mode_ != "solid")
-    throw std::invalid_argument("nested: in the mode " + mode_ + " no body has an inside");
+    throw usage_error("nested: in the mode " + mode_ + " no body has an inside");
   if (!never_wrong(options.precision))
-    throw std::invalid_argument("nested: it is told of bodies that do not touch for certain: exact or certified");
+    throw usage_error("nested: it is told of bodies that do not touch for certain: exact or certified");
   for (int i = 0; i < all_.kind_count; ++i)
     if (winding_of(all_, all_.kinds[i]))
       return;
-  throw std::invalid_argument("nested: the catalogue has no winding number");
+  throw usage_error("nested: the catalogue has no winding number");
 }
 
 std::vector<nested_bodies> world::nested(std::span<const near_bodies> apart, const world_options &options) const {

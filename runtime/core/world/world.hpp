@@ -85,11 +85,11 @@ public:
   explicit world(const catalogue &all, std::string_view mode = "solid");
 
   // Adds a body, and returns its number; bodies are numbered from 0. One shape may be that of many bodies. owners: as
-  // collide_options::owner_a. Throws std::invalid_argument where the name is taken or empty, the shape is not whole, owners are
+  // collide_options::owner_a. Throws usage_error where the name is taken or empty, the shape is not whole, owners are
   // not one for each element, or the kind cannot stand in this pose.
   std::uint32_t add(std::string name, std::shared_ptr<const prepared> shape, const pose &at = {},
                     std::vector<std::uint32_t> owners = {});
-  // Throws std::out_of_range for a body that is not there; std::invalid_argument where the kind cannot stand in the pose.
+  // Throws std::out_of_range for a body that is not there; usage_error where the kind cannot stand in the pose.
   void move(std::uint32_t body, const pose &at);
   // Whether the two bodies are asked about; at first, all are. Throws std::out_of_range.
   void ignore(std::uint32_t a, std::uint32_t b, bool ignored = true);
@@ -101,7 +101,7 @@ public:
   std::span<const std::uint32_t> owners(std::uint32_t body) const { return bodies_.at(body).owners; }
   std::optional<std::uint32_t> find(std::string_view name) const;
 
-  // Throws std::invalid_argument where no predicate fits two bodies that are near each other, or is not generated for the
+  // Throws usage_error where no predicate fits two bodies that are near each other, or is not generated for the
   // precision, or `nested` is asked in the mode "surface", for a precision that may be wrong or of a catalogue without winding
   // numbers; std::out_of_range for a body of options.of that is not there; input_error where an element is not finite in its
   // pose, or breaks a rule of its kind there; std::bad_alloc.

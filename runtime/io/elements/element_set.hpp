@@ -2,6 +2,7 @@
 #ifndef MEETC_IO_ELEMENTS_ELEMENT_SET_HPP
 #define MEETC_IO_ELEMENTS_ELEMENT_SET_HPP
 
+#include "meet/core/views/view.hpp"
 #include "meet/io/text/rounded.hpp"
 #include "meetc/support.hpp"
 
@@ -65,6 +66,21 @@ struct element_set {
         out[3 * p + c] = data[std::size_t{3} * index[i * points + p] + c];
   }
 };
+
+// Borrows the set's memory: valid until the set is changed or destroyed.
+inline view view_of(const element_set &set) {
+  view v;
+  v.data = set.data.data();
+  v.elements = set.elements;
+  if (set.index.empty()) {
+    v.stride_bytes = static_cast<std::size_t>(set.kind->fields) * sizeof(float);
+    return v;
+  }
+  v.vertices = set.data.size() / 3;
+  v.stride_bytes = 3 * sizeof(float);
+  v.index = set.index.data();
+  return v;
+}
 
 } // namespace meetc::io
 

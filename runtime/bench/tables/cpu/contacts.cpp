@@ -37,7 +37,7 @@ void measure_curves(const cpu_context &c, cpu_result &to) {
   collide_options options;
   options.threads = threads;
   const std::vector<index_pair> truth = collide(a, b, p, rung::exact, options).pairs;
-  const view of_a = app::view_of(sets.first), of_b = app::view_of(sets.second);
+  const view of_a = io::view_of(sets.first), of_b = io::view_of(sets.second);
   contact_options how;
   how.threads = threads;
   std::vector<index_pair> pairs;
@@ -90,7 +90,7 @@ void measure_crossing(const cpu_context &c, cpu_result &to) {
       "crosses itself", clock,
       {{"crosses itself",
         false,
-        {[&] { set = app::prepare(mesh, threads); }, [&] { found = self_pairs(*set, app::view_of(mesh), by, how); }},
+        {[&] { set = app::prepare(mesh, threads); }, [&] { found = self_pairs(*set, io::view_of(mesh), by, how); }},
         {}}},
       c.for_seconds(c.quick ? 1 : 30));
   struct line {

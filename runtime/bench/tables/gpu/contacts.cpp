@@ -42,7 +42,7 @@ table gpu_bench::measure_contacts(const std::vector<scene> &scenes, const std::f
       sets_there there(on_, sets);
       pairs = meetc::collide(on_, there.a(), there.b(), sets.predicate, rung::certified).pairs;
     }
-    const view a = app::view_of(sets.a()), b = app::view_of(sets.b());
+    const view a = io::view_of(sets.a()), b = io::view_of(sets.b());
     contacts_row row{of.name, pairs.size(), 0, 0, 0, 0, 0, 0, 0, 0};
     const auto times = medians_of<5>(runs, [&] {
       device_contact_work work, in_float64;
@@ -83,7 +83,7 @@ table gpu_bench::measure_self(const std::vector<scene> &scenes, const std::funct
     const self_predicates by{sets.predicate, find_predicate(near, "beyond_corner"),
                              find_predicate(near, "beyond_edge")};
     sets_there there(on_, sets);
-    const view mesh = app::view_of(sets.a());
+    const view mesh = io::view_of(sets.a());
     device_self_result last;
     const auto times = medians_of<4>(runs, [&] {
       last = self_pairs(on_, there.a(), by, neighbours::cuda::catalogue());

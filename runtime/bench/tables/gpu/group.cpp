@@ -25,8 +25,8 @@ struct sets_on_all {
 
 private:
   sets_on_all(device_group &on, const sets_here &from, std::pair<spread, spread> how)
-      : a(on, app::view_of(from.a()), *from.a().kind, how.first),
-        b(on, app::view_of(from.b()), *from.b().kind, how.second) {}
+      : a(on, io::view_of(from.a()), *from.a().kind, how.first),
+        b(on, io::view_of(from.b()), *from.b().kind, how.second) {}
 };
 
 // Medians in seconds, on one device or on all of them.

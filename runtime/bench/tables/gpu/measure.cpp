@@ -165,10 +165,10 @@ table gpu_bench::measure_tangent() {
 }
 
 gpu_bench::given_times gpu_bench::time_given(const sets_here &sets) {
-  device_set given_a = device_set::given(on_, app::view_of(sets.a()), *sets.a().kind);
+  device_set given_a = device_set::given(on_, io::view_of(sets.a()), *sets.a().kind);
   std::optional<device_set> its_own;
   device_set &given_b =
-      sets.of.itself ? given_a : its_own.emplace(device_set::given(on_, app::view_of(sets.b()), *sets.b().kind));
+      sets.of.itself ? given_a : its_own.emplace(device_set::given(on_, io::view_of(sets.b()), *sets.b().kind));
   std::uint64_t found = 0;
   pairs_there pairs;
   const device_options leaves_pairs{.leave_there = &pairs};

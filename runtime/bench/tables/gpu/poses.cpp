@@ -146,7 +146,7 @@ table gpu_bench::measure_poses(const posed_meshes &meshes) {
       one.threads = 1;
       one.want = answer_kind::count;
       for (std::size_t i = begin; i < end; ++i) {
-        const prepared there = prepare(app::view_of(meshes.small), *p.b, poses[i], 1);
+        const prepared there = prepare(io::view_of(meshes.small), *p.b, poses[i], 1);
         alike += collide(a, there, p, rung::certified, one).count == counted.counts[i];
         any_alike += (counted.counts[i] > 0) == (any.counts[i] > 0);
       }

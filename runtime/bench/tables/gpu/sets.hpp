@@ -26,9 +26,9 @@ struct sets_here {
 // As they were read: moved, checked and ordered there.
 class sets_there {
 public:
-  sets_there(const device &on, const sets_here &from) : a_(on, app::view_of(from.a()), *from.a().kind) {
+  sets_there(const device &on, const sets_here &from) : a_(on, io::view_of(from.a()), *from.a().kind) {
     if (!from.of.itself)
-      own_b_.emplace(on, app::view_of(from.b()), *from.b().kind);
+      own_b_.emplace(on, io::view_of(from.b()), *from.b().kind);
   }
   device_set &a() { return a_; }
   device_set &b() { return own_b_ ? *own_b_ : a_; }

@@ -4,6 +4,7 @@
 #include "meet/core/device/query/lists.hpp"
 #include "meet/core/device/query/parts.hpp"
 #include "meet/core/device/query/query.hpp"
+#include "meet/core/views/usage_error.hpp"
 #include "meetc/every_pair/query.hpp"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ constexpr std::size_t least_list = std::size_t{part_step} * part_step; // the pa
 
 void require(bool holds, const char *what) {
   if (!holds)
-    throw std::invalid_argument(what);
+    throw usage_error(what);
 }
 
 // The parts of a product, from the filter to the list of hits.

@@ -48,7 +48,7 @@ public:
   // The fastest filter whose model the probe did not refute.
   filter best_filter();
 
-  // Elements are their own items. Throws std::invalid_argument also for `tolerant`, which presumes of the sets what nothing
+  // Elements are their own items. Throws usage_error also for `tolerant`, which presumes of the sets what nothing
   // here looks at, for other answers, and for a filter that the device does not offer.
   outcome collide(device_set &a, device_set &b, const predicate_info &predicate, rung precision,
                   const options &how = {});

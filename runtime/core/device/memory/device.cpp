@@ -26,7 +26,7 @@ device_facts find() {
     found = {p.name, p.major, p.minor, p.multiProcessorCount, p.totalGlobalMem};
   }
   if (const std::string why = refusal(looking, count, driver, found); !why.empty())
-    throw device_error(why);
+    throw missing_device(why);
   return found;
 }
 
@@ -56,8 +56,12 @@ void check(cudaError_t e, const char *what) {
   const cudaError_t freed = failed_free.exchange(cudaSuccess);
   if (e == cudaSuccess)
     e = freed, what = "freeing memory";
-  if (e != cudaSuccess)
-    throw device_error(std::string("CUDA: ") + what + ": " + cudaGetErrorString(e) + on_the_cpu);
+  if (e == cudaSuccess)
+    return;
+  const std::string told = std::string("CUDA: ") + what + ": " + cudaGetErrorString(e) + on_the_cpu;
+  if (e == cudaErrorMemoryAllocation)
+    throw device_memory_error(told);
+  throw device_error(told);
 }
 
 void *try_allocate_on_device(std::size_t bytes) {
@@ -102,8 +106,9 @@ void *allocate_on_device(std::size_t bytes, const char *what_for) {
     return data;
   std::size_t free = 0, all = 0;
   cudaMemGetInfo(&free, &all);
-  throw device_error("not enough device memory: " + std::to_string((bytes + (1 << 20) - 1) >> 20) + " MiB asked for " +
-                     what_for + ", " + std::to_string(free >> 20) + " MiB free" + on_the_cpu);
+  throw device_memory_error("not enough device memory: " + std::to_string((bytes + (1 << 20) - 1) >> 20) +
+                            " MiB asked for " + what_for + ", " + std::to_string(free >> 20) + " MiB free" +
+                            on_the_cpu);
 }
 
 // The process's pool keeps what is freed: a query allocates for each set that it sees, and the driver takes long for that.
@@ -154,7 +159,7 @@ device::device(const cuda::catalogue &kernels) : state_(std::make_shared<state>(
   check(cudaMemcpy(&faults, found.data(), sizeof faults, cudaMemcpyDeviceToHost), "the self-test");
   for (unsigned bit = 1; bit <= fault_bits; bit <<= 1)
     if (faults & bit)
-      throw device_error(
+      throw missing_device(
           std::string("the CUDA device ") + facts().name +
           " does not compute as the error bounds assume: " + text_of(static_cast<arithmetic_fault>(bit)) + on_the_cpu);
   state_->buffers.create();

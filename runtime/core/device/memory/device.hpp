@@ -18,6 +18,17 @@ class device_error : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
 };
+// There is no device, or none of this number, or this one cannot be used: it or its driver is too old, or its arithmetic is
+// not as the bounds assume.
+class missing_device : public device_error {
+public:
+  using device_error::device_error;
+};
+// The device's memory does not suffice.
+class device_memory_error : public device_error {
+public:
+  using device_error::device_error;
+};
 
 struct device_facts {
   std::string name;
@@ -39,8 +50,7 @@ struct device_buffers;
 // It runs one query at a time: threads that ask it at once wait for each other.
 class device {
 public:
-  // Throws device_error where there is no device, where it or its driver is too old, or where its arithmetic is not as
-  // the bounds assume. The table must stay, as that of a generated namespace does.
+  // Throws missing_device. The table must stay, as that of a generated namespace does.
   explicit device(const cuda::catalogue &kernels);
 
   const cuda::catalogue &kernels() const;
@@ -56,8 +66,8 @@ private:
   std::shared_ptr<state> state_;
 };
 
-// Throws device_error with the name of the call and the text that CUDA gives for the error. A free that has failed before,
-// where nobody could be told, is told here.
+// Throws device_error, or device_memory_error, with the name of the call and the text that CUDA gives for the error. A free
+// that has failed before, where nobody could be told, is told here.
 void check(cudaError_t e, const char *what);
 
 } // namespace meetc

@@ -5,6 +5,7 @@
 #include "meet/core/device/query/parts.hpp"
 #include "meet/core/device/walk/first_walk.hpp"
 #include "meet/core/query/collide.hpp"
+#include "meet/core/views/usage_error.hpp"
 
 #include <chrono>
 #include <cstring>
@@ -16,7 +17,7 @@ namespace {
 
 void require(bool holds, const char *what) {
   if (!holds)
-    throw std::invalid_argument(what);
+    throw usage_error(what);
 }
 
 // The rung that decides where tolerant is asked for: certified, if a set leaves the box that tolerant presumes.

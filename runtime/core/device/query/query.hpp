@@ -10,7 +10,7 @@ namespace meetc {
 // Throws device_error where there are none.
 const cuda::predicate_launchers &launchers_of(const cuda::catalogue &all, const predicate_info &p);
 
-// Throws std::invalid_argument where the sets, the predicate and the options do not go together.
+// Throws usage_error where the sets, the predicate and the options do not go together.
 void require_query(const device &on, const device_set &a, const device_set &b, const predicate_info &predicate,
                    rung precision, const device_options &options);
 

@@ -13,7 +13,7 @@ namespace meetc {
 class device_set {
 public:
   // In the order of a prepared set. Throws device_error also if the catalogue lacks the kind, as all constructors do, and
-  // std::invalid_argument if the set was prepared for collisions with one other set.
+  // usage_error if the set was prepared for collisions with one other set.
   device_set(const device &on, const prepared &set);
   // Elements that nobody prepared: they are uploaded as they stand, and moved, checked and ordered there. Places are cells
   // of one grid. Where more than an eighth of the elements share a cell with 32 others, where they lie far apart in memory,
@@ -33,7 +33,7 @@ public:
   const device &on() const { return on_; }
 
   // Moves the set to this pose, which replaces its last one. The arithmetic is that of core/views/pose.hpp, bit for bit. Throws
-  // std::invalid_argument where the kind cannot be moved, and input_error where a number leaves float32; of a given set it
+  // usage_error where the kind cannot be moved, and input_error where a number leaves float32; of a given set it
   // is the query that throws that. After an exception other than device_error the set is as it was before.
   void move(const pose &at);
   // The closed box around all elements; lo > hi where there are none.

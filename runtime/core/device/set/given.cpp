@@ -2,6 +2,7 @@
 
 #include "meet/core/device/memory/buffers.hpp"
 #include "meet/core/views/rows.hpp"
+#include "meet/core/views/usage_error.hpp"
 #include "meetc/cuda/joined_box.hpp"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ const cuda::set_launchers &launchers_of(const cuda::catalogue &all, const kind_i
 
 void require_pose(const kind_info &kind, const pose &at) {
   if (const status s = movable(kind, at); s != status::ok)
-    throw std::invalid_argument(text(s));
+    throw usage_error(text(s));
 }
 
 view require_view(const view &elements, const kind_info &kind) {
@@ -53,14 +54,14 @@ given_elements::given_elements(const device &on, const view &elements, const kin
   if (elements.elements > most || (elements.index && elements.vertices > most))
     throw std::length_error(text(status::too_many_elements));
   if (!upload(require_view(elements, kind)))
-    throw device_error("not enough device memory for a set; the CPU decides the same pairs (--device cpu)");
+    throw device_memory_error("not enough device memory for a set; the CPU decides the same pairs (--device cpu)");
   check(cudaStreamSynchronize(on.stream()), "uploading a set"); // the caller may change the elements now
 }
 
 given_elements::given_elements(const device &on, const cuda::view &there, const kind_info &kind)
     : given_elements(on, kind) {
   if (there.only)
-    throw std::invalid_argument("a given set has all of its elements");
+    throw usage_error("a given set has all of its elements");
   there_ = there;
   there_.stride_bytes =
       require_view({there.data, there.vertices, there.stride_bytes, there.index, there.elements}, kind).stride_bytes;

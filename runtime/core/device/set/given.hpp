@@ -11,7 +11,7 @@ namespace meetc {
 
 // As the kernels read it.
 cuda::pose_matrix cuda_pose(const pose &at);
-// Throws std::invalid_argument where this pose does not go with this kind.
+// Throws usage_error where this pose does not go with this kind.
 void require_pose(const kind_info &kind, const pose &at);
 // The view with its stride stated. Throws input_error where it cannot hold elements of the kind.
 view require_view(const view &elements, const kind_info &kind);

@@ -3,6 +3,7 @@
 #include "meet/core/device/memory/buffers.hpp"
 #include "meet/core/device/set/order_kernels.hpp"
 #include "meet/core/sets/element_set.hpp"
+#include "meet/core/views/usage_error.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -20,7 +21,7 @@ std::uint64_t next_version() {
 void require_movable(const kind_info &kind, const pose &at) {
   require_pose(kind, at);
   if (!under_standard_word([&] { return at.length_scale >= 0; }))
-    throw std::invalid_argument("a pose's length scale is negative or not a number");
+    throw usage_error("a pose's length scale is negative or not a number");
 }
 
 device_rows::device_rows(const device &on, const kind_info &kind)
@@ -37,7 +38,7 @@ void device_rows::resize(std::size_t elements, double grid) {
 
 void device_rows::upload(const prepared &set) {
   if (!set.whole())
-    throw std::invalid_argument("a set on a device must not be prepared for collisions with one other set");
+    throw usage_error("a set on a device must not be prepared for collisions with one other set");
   resize(set.elements(), set.set().grid);
   const std::size_t floats = std::size_t{elements_} * static_cast<std::size_t>(kind_->fields);
   data_.reserve(floats, "a set's elements");

@@ -15,7 +15,7 @@
 
 namespace meetc {
 
-// Throws std::invalid_argument where this pose does not go with this kind, or has no length scale.
+// Throws usage_error where this pose does not go with this kind, or has no length scale.
 void require_movable(const kind_info &kind, const pose &at);
 
 // Whether one kernel puts so many elements into order.

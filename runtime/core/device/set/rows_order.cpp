@@ -96,7 +96,7 @@ std::optional<cuda::arrange_job> device_rows::plan_order(const order_request &r,
   if (!r.cleared.empty())
     check(cudaMemsetAsync(r.cleared.data(), 0, r.cleared.size_bytes(), stream), "clearing counters");
   if (elements_ > 0 && (!room || !sort(r.elements, r.at, first_bits(r.elements), r.found, stream)))
-    throw device_error(
+    throw device_memory_error(
         "not enough device memory to put a set into order; the CPU decides the same pairs (--device cpu)");
   return {};
 }

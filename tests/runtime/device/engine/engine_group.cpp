@@ -142,7 +142,7 @@ public:
     bool named = false;
     try {
       device_group(on_[0].kernels(), missing);
-    } catch (const device_error &e) {
+    } catch (const missing_device &e) {
       named = std::string(e.what()).find("there is no CUDA device number 4711 here") == 0;
     }
     require(named, "a device that is not there is not named");
