@@ -194,7 +194,7 @@ std::string as_html(const scene &s, const limits &most) {
   json header = {{"title", s.title},
                  {"centre", at.centre},
                  {"unit", at.unit},
-                 {"curve", colour(picture::palette::sky)},
+                 {"curve", colour(picture::palette::contact)},
                  {"facts", s.facts},
                  {"notes", notes},
                  {"shapes", shapes},

@@ -6,7 +6,9 @@
 #include "meet/io/files/atomic_file.hpp"
 #include "meet/io/text/text.hpp"
 #include "meet/picture/render.hpp"
+#include "meet/picture/text.hpp"
 
+#include <cstdio>
 #include <fmt/format.h>
 #include <list>
 
@@ -32,6 +34,18 @@ void add_box(const float *row, std::vector<float> &to) {
         }
         to.insert(to.end(), p, p + 3);
       }
+}
+
+void warn_without_font() {
+  static const bool warned = [] {
+    if (picture::has_font())
+      return false;
+    std::fputs("meet: this machine has no font, so that pictures have no captions; on Debian, the package "
+               "fonts-dejavu-core has one\n",
+               stderr);
+    return true;
+  }();
+  static_cast<void>(warned);
 }
 
 } // namespace
@@ -104,13 +118,13 @@ void write_coloured(const std::filesystem::path &path, const painted &side) {
   io::write_ply(path, side.set, colours);
 }
 
-void write_picture(const std::filesystem::path &path, const std::vector<painted> &sides, const picture::camera &from,
-                   int width, int height) {
+void write_picture(const std::filesystem::path &path, const std::vector<painted> &sides, const picture_view &view) {
+  warn_without_font();
   std::list<drawn_side> drawn;
   std::vector<picture::shape> shapes;
   for (const painted &side : sides)
     shapes.push_back(drawn.emplace_back(side).shape);
-  write_png(path, picture::render_panels(shapes, from, width, height));
+  write_png(path, picture::render_panels(shapes, view.from, view.width, view.height));
 }
 
 void write_png(const std::filesystem::path &path, const picture::image &picture) {

@@ -2,10 +2,11 @@
 #ifndef MEETC_APP_OUTPUT_PAINT_HPP
 #define MEETC_APP_OUTPUT_PAINT_HPP
 
+#include "meet/app/input/picture_options.hpp"
 #include "meet/io/elements/element_set.hpp"
 #include "meet/io/write.hpp"
-#include "meet/picture/camera.hpp"
 #include "meet/picture/image.hpp"
+#include "meet/picture/scene.hpp"
 
 #include <filesystem>
 #include <string>
@@ -42,8 +43,8 @@ void write_coloured(const std::filesystem::path &path, const painted &side);
 void check_picture(const std::filesystem::path &to);
 
 // Writes a PNG of all sides together and, if there are two, of each alone. Throws io::error.
-void write_picture(const std::filesystem::path &path, const std::vector<painted> &sides,
-                   const picture::camera &from = {}, int width = 1600, int height = 900);
+// Without a font there are no captions, and standard error tells so once.
+void write_picture(const std::filesystem::path &path, const std::vector<painted> &sides, const picture_view &view = {});
 
 void write_png(const std::filesystem::path &path, const picture::image &picture);
 

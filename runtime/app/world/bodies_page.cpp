@@ -66,7 +66,7 @@ std::string answer_in_words(const std::vector<frame_answer> &answers) {
 
 void write_bodies_page(const std::filesystem::path &to, const bodies_scene &of, const world_source &from,
                        std::span<const frame> frames, const std::vector<frame_answer> &answers, rung precision) {
-  constexpr picture::colour calm[] = {picture::palette::green, picture::palette::blue, picture::palette::red};
+  constexpr std::span calm = picture::palette::calm;
   report::scene s;
   s.title = fmt::format("{} bodies", grouped(of.names.size()));
   const std::vector<std::uint8_t> no_hits; // bodies are coloured as a whole
@@ -79,8 +79,8 @@ void write_bodies_page(const std::filesystem::path &to, const bodies_scene &of, 
     const auto number = static_cast<std::size_t>(at - sets.begin());
     if (at == sets.end()) {
       sets.push_back(&elements);
-      const drawn_side &one = drawn.emplace_back(
-          painted{elements, no_hits, name, calm[number % std::size(calm)], picture::palette::yellow});
+      const drawn_side &one =
+          drawn.emplace_back(painted{elements, no_hits, name, calm[number % calm.size()], picture::palette::yellow});
       s.shapes.push_back({one.shape, one.owner, elements.items, counted(elements)});
       for (const std::string &note : elements.notes)
         s.notes.push_back(fmt::format("{}: {}", name, note));
