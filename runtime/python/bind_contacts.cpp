@@ -21,13 +21,6 @@ struct side {
         at(std::get<2>(of) ? place_of(*std::get<2>(of), kind) : pose{}) {}
 };
 
-std::span<const index_pair> pairs_of(const py::array &pairs) {
-  require_packed(pairs, "i", 4, 2, "pairs");
-  if (pairs.shape(1) != 2)
-    throw py::type_error("pairs: a row has two columns");
-  return {static_cast<const index_pair *>(pairs.data()), static_cast<std::size_t>(pairs.shape(0))};
-}
-
 py::tuple lists(node_lists &&of) {
   return py::make_tuple(as_array<std::int64_t>(std::move(of.offsets)), as_array<std::int32_t>(std::move(of.nodes)));
 }

@@ -3,14 +3,11 @@
 #define MEETC_APP_INPUT_SETS_HPP
 
 #include "meet/core/query/collide.hpp"
-#include "meet/io/elements/element_set.hpp"
+#include "meet/io/elements/words.hpp"
 
 namespace meetc::app {
 
-// Whether the elements are triangles, which can be coloured face by face, and whose faces a report counts.
-inline bool is_mesh(const io::element_set &set) {
-  return set.kind->points == 3 && set.kind->fields == 9;
-}
+using io::is_mesh;
 
 // Borrows the set's memory: valid until the set is changed or destroyed.
 meetc::view view_of(const io::element_set &set);

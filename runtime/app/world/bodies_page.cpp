@@ -1,9 +1,10 @@
 #include "meet/app/world/bodies_page.hpp"
 
 #include "meet/app/output/paint.hpp"
-#include "meet/app/output/report_page.hpp"
+#include "meet/app/query/choose.hpp"
 #include "meet/app/text/words.hpp"
 #include "meet/io/files/atomic_file.hpp"
+#include "meet/report/sets_page.hpp"
 #include "meet/report/write.hpp"
 
 #include <fmt/format.h>
@@ -102,11 +103,11 @@ void write_bodies_page(const std::filesystem::path &to, const bodies_scene &of, 
   }
   s.facts = {{"Bodies", grouped(of.names.size())},
              {"Answer", answer_in_words(answers)},
-             {"Precision", precision_in_words(precision)}};
+             {"Precision", report::precision_in_words(precision, name_of(precision))}};
   io::rounded_numbers rounded;
   for (const io::element_set *const set : sets)
     rounded.add(set->rounded);
-  s.facts.emplace_back("Rounding", rounding_in_words(rounded));
+  s.facts.emplace_back("Rounding", report::rounding_in_words(rounded));
   for (const std::string &line : unknown_in_lines(of, answers))
     s.notes.push_back(line);
   s.notes.insert(s.notes.end(), of.notes.begin(), of.notes.end());

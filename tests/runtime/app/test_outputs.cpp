@@ -2,6 +2,8 @@
 // written whole or not at all.
 #include "fixture.hpp"
 
+#include "meet/picture/palette.hpp"
+
 #include "meet/io/read.hpp"
 
 #include <cstring>
@@ -88,8 +90,11 @@ TEST_CASE("coloured meshes: as many bright faces as are touched") {
   const auto a = colours_in(at("new/folder/a.ply"), 1280), b = colours_in(at("new/folder/b.ply"), 2304);
   REQUIRE(a.size() == 2);
   REQUIRE(b.size() == 2);
-  CHECK(a.at("\xff\xd6" + std::string(1, '\0')) == j["touched_a"]);
-  CHECK(b.at("\xff\x14\x89") == j["touched_b"]);
+  const auto bytes = [](meetc::picture::colour c) {
+    return std::string{static_cast<char>(c.r), static_cast<char>(c.g), static_cast<char>(c.b)};
+  };
+  CHECK(a.at(bytes(meetc::picture::palette::yellow)) == j["touched_a"]);
+  CHECK(b.at(bytes(meetc::picture::palette::vermilion)) == j["touched_b"]);
   CHECK(files_in(at("new/folder")) == 2);
   // B is written as it was moved, and can be read again.
   run({"collide", "ball.ply", "ring.ply", "--translate-b", "0.5,0,0", "--color", "new/folder"});
