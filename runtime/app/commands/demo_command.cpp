@@ -84,6 +84,8 @@ std::string demo(const catalogue &all, const fs::path &folder, int threads) {
   out += "\nCertified answers, never wrong, on the CPU; a time covers preparing both sets and finding every pair.\n";
   for (const std::string &path : written)
     out += fmt::format("wrote {}\n", path);
+  out += fmt::format("\nOpen {} in a browser: turn the scene, and click on a pair to fly there.\n",
+                     page_path(folder, scenes.front()).string());
   return out;
 }
 

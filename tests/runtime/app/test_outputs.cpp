@@ -2,9 +2,8 @@
 // written whole or not at all.
 #include "fixture.hpp"
 
-#include "meet/picture/palette.hpp"
-
 #include "meet/io/read.hpp"
+#include "meet/picture/palette.hpp"
 
 #include <cstring>
 #include <sys/stat.h>
