@@ -3,6 +3,7 @@
 #include "meet/core/views/vec.hpp"
 #include "meet/picture/projection.hpp"
 #include "meet/picture/render.hpp"
+#include "meet/picture/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,17 +42,18 @@ std::string grouped(std::size_t n) { // 345944 as 345,944
   return s;
 }
 
-std::string describe(const shape &s) {
+constexpr std::size_t most_keys = 8;
+
+std::string counts_of(const shape &s) {
   const char *const kinds[] = {"triangle", "sphere", "segment"};
   const std::size_t n = elements(s) / s.parts, h = hits(s) / s.parts;
   const std::string one = *s.whole ? s.whole : kinds[static_cast<int>(s.what)];
-  return (s.name.empty() ? "" : s.name + ": ") + grouped(n) + " " + (n == 1 ? one : plural_of(one)) +
-         (s.hit.empty() ? "" : ", " + grouped(h) + " hit");
+  return grouped(n) + " " + (n == 1 ? one : plural_of(one)) + (s.hit.empty() ? "" : ", " + grouped(h) + " hit");
 }
 
 struct canvas {
   image picture;
-  int scale; // of the font
+  int size; // of words, in pixels from line to line
 
   void paste(const image &from, int x, int y) {
     for (int row = 0; row < from.height && y + row < picture.height; ++row) {
@@ -61,28 +63,30 @@ struct canvas {
       std::copy_n(from.rgb.begin() + source, bytes, picture.rgb.begin() + target);
     }
   }
-  // Writes a caption on a light rim, so that it can be read on any background.
   void caption(int x, int y, std::string_view words) {
-    for (int i = 0; i < 9; ++i)
-      draw_text(picture, x + (i % 3 - 1) * scale, y + (i / 3 - 1) * scale, words, scale, {247, 248, 248});
-    draw_text(picture, x, y, words, scale, palette::ink);
+    draw_words(picture, x, y, words, size, palette::ink, palette::paper);
   }
-  // Draws a square in the shape's colour and, where hits are shown, one in the colour of its hits; then the caption.
-  void key(int x, int y, const shape &s, std::string_view words) {
-    for (int square = 0; square < (s.hit.empty() ? 1 : 2); ++square) {
-      const colour c = square == 0 ? s.base : s.hit_colour;
-      for (int v = 0; v < 7 * scale; ++v)
-        for (int u = 0; u < 7 * scale; ++u)
-          if (x + u < picture.width && y + v < picture.height) {
-            const auto i =
-                static_cast<std::ptrdiff_t>(3 * (static_cast<std::ptrdiff_t>(y + v) * picture.width + x + u));
-            std::copy_n(&c.r, 1, picture.rgb.begin() + i);
-            std::copy_n(&c.g, 1, picture.rgb.begin() + i + 1);
-            std::copy_n(&c.b, 1, picture.rgb.begin() + i + 2);
-          }
-      x += 8 * scale;
-    }
-    caption(x + 3 * scale, y, words);
+  int square() const { return 2 * size / 3; }
+  void fill(int x, int y, colour c) {
+    for (int v = y; v < std::min(y + square(), picture.height); ++v)
+      for (int u = x; u < std::min(x + square(), picture.width); ++u) {
+        const std::size_t i =
+            3 * (static_cast<std::size_t>(v) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(u));
+        picture.rgb[i] = c.r, picture.rgb[i + 1] = c.g, picture.rgb[i + 2] = c.b;
+      }
+  }
+  // Draws a square in the shape's colour and, where hits are shown, one in the colour of its hits; then its name, which is
+  // shortened to stay within `right`, and its counts.
+  void key(int x, int y, int right, const shape &s) {
+    for (const colour c : {s.base, s.hit_colour})
+      if (c == s.base || !s.hit.empty()) {
+        fill(x, y + size / 4, c);
+        x += square() + size / 8;
+      }
+    x += size / 4;
+    const std::string counted = counts_of(s);
+    const int left = right - x - width_of(counted, size);
+    caption(x, y, (s.name.empty() ? "" : shortened(s.name + ":", size, left) + " ") + counted);
   }
 };
 
@@ -90,8 +94,8 @@ struct canvas {
 
 image render_panels(std::span<const shape> shapes, const camera &from, int width, int height) {
   const int w = std::clamp(width, 16, 8192), h = std::clamp(height, 16, 8192);
-  const int scale = std::max(1, std::min(w / 800, h / 450)), gap = 2 * scale;
-  canvas c{{w, h, {}}, scale};
+  const int size = std::max(12, std::min(w / 72, h / 40)), gap = std::max(2, size / 6), edge = size / 2;
+  canvas c{{w, h, {}}, size};
   c.picture.rgb.assign(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 3, 255);
 
   struct panel {
@@ -102,30 +106,35 @@ image render_panels(std::span<const shape> shapes, const camera &from, int width
   std::vector<panel> side; // beside the main one
   const bool any = std::any_of(shapes.begin(), shapes.end(), [](const shape &s) { return hits(s) > 0; });
   if (any && w >= 320 && h >= 240) {
+    camera near = from;
+    near.distance = 1;
     if (extent_of(shapes, true).diagonal() < 0.3 * extent_of(shapes, false).diagonal()) {
-      camera close = from;
-      close.fit = framing::hits;
-      side.push_back({shapes, close, "close up"});
+      near.fit = framing::hits;
+      side.push_back({shapes, near, "close up"});
+      near.fit = framing::scene;
     }
     for (std::size_t i = 0; i < std::min<std::size_t>(shapes.size(), 2) && shapes.size() > 1; ++i)
       if (hits(shapes[i]) > 0)
-        side.push_back({shapes.subspan(i, 1), facing_hits(shapes.subspan(i, 1), from),
+        side.push_back({shapes.subspan(i, 1), facing_hits(shapes.subspan(i, 1), near),
                         (shapes[i].name.empty() ? "set " + std::to_string(i + 1) : shapes[i].name) + " alone"});
   }
-  const int main_width = side.empty() ? w : static_cast<int>(w * 0.64);
-  camera whole = from;
-  whole.margin = std::max(whole.margin, 0.08); // leaves room for captions
-  c.paste(render(shapes, whole, main_width, h), 0, 0);
-  for (std::size_t i = 0; i < shapes.size() && i < 8; ++i)
-    c.key(6 * scale, 6 * scale + static_cast<int>(i) * 11 * scale, shapes[i], describe(shapes[i]));
+  const int main_width = side.empty() ? w : static_cast<int>(w * 0.64), line = 5 * size / 4;
+  const auto lines = static_cast<int>(std::min<std::size_t>(shapes.size(), most_keys));
+  const auto below = [&](camera view, int words, int panel_height) {
+    view.top = static_cast<double>(edge + words * line) / panel_height;
+    return view;
+  };
+  c.paste(render(shapes, below(from, lines, h), main_width, h), 0, 0);
+  for (int i = 0; i < lines; ++i)
+    c.key(edge, edge + i * line, main_width - edge, shapes[static_cast<std::size_t>(i)]);
+  if (shapes.size() > most_keys)
+    c.caption(edge, edge + lines * line, "and " + grouped(shapes.size() - most_keys) + " more");
   const int n = static_cast<int>(side.size()), x = main_width + gap, side_width = w - x;
   for (int i = 0; i < n; ++i) {
     const int top = i * (h + gap) / n, bottom = (i + 1) * (h + gap) / n - gap;
     const panel &p = side[static_cast<std::size_t>(i)];
-    camera v = p.from;
-    v.margin = std::max(v.margin, 0.08);
-    c.paste(render(p.what, v, side_width, bottom - top), x, top);
-    c.caption(x + 6 * scale, top + 6 * scale, p.caption);
+    c.paste(render(p.what, below(p.from, 1, bottom - top), side_width, bottom - top), x, top);
+    c.caption(x + edge, top + edge, shortened(p.caption, size, side_width - 2 * edge));
   }
   return c.picture;
 }

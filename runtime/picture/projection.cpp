@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace meetc::picture {
 
@@ -12,6 +13,10 @@ namespace {
 constexpr double degree = 3.14159265358979323846 / 180;
 
 std::array<vec, 3> axes(const camera &from) {
+  if (from.stands) {
+    const vec back = normal(from.stands->eye - from.stands->target), right = normal(cross(from.stands->up, back));
+    return {right, cross(back, right), back};
+  }
   const double a = from.azimuth * degree, e = from.elevation * degree;
   const vec right{std::cos(a), 0, -std::sin(a)};
   const vec back{std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)};
@@ -47,9 +52,22 @@ template <class F> void each_point(std::span<const shape> shapes, bool only_hits
 
 projection look(std::span<const shape> shapes, const camera &from, int width, int height) {
   projection p;
+  const double free_above = std::clamp(from.top, 0.0, 0.45) * height;
   p.half_width = width / 2.0;
-  p.half_height = height / 2.0;
+  p.half_height = (height + free_above) / 2;
   p.perspective = from.perspective;
+  if (from.stands && from.fit == framing::scene) {
+    constexpr double half_angle = 15 * degree;
+    const vec way = from.stands->eye - from.stands->target;
+    p.axis = axes(from);
+    p.centre = from.stands->target;
+    p.unit = 1 / std::sqrt(dot(way, way));
+    p.perspective = true;
+    p.eye = p.focus = 1;
+    p.half_height = height / 2.0;
+    p.zoom = p.half_height / std::tan(half_angle);
+    return p;
+  }
   box all;
   each_point(shapes, false, [&](const vec &v, double r) { all.add(v, r); });
   if (!all.empty()) {
@@ -90,7 +108,9 @@ projection look(std::span<const shape> shapes, const camera &from, int width, in
   // A close-up includes some surroundings, and never shows less than float32 coordinates can resolve.
   const double around = close_up ? 1.15 : 1, least = close_up ? 1e-4 : 1e-6;
   const double left = 1 - 2 * std::clamp(from.margin, 0.0, 0.45);
-  p.zoom = left * std::min(width / std::max(around * (u1 - u0), least), height / std::max(around * (v1 - v0), least));
+  p.zoom = left / from.distance *
+           std::min(width / std::max(around * (u1 - u0), least),
+                    (height - free_above) / std::max(around * (v1 - v0), least));
   return p;
 }
 
@@ -140,6 +160,8 @@ element element_at(const shape &s, std::size_t i) {
 
 camera facing_hits(std::span<const shape> shapes, camera from) {
   using namespace detail;
+  const vec given = axes(from)[2];
+  from.stands.reset();
   std::vector<vec> facets; // normals; their length is twice the area, in the scene scaled to diagonal 1
   box all, touched;
   each_point(shapes, false, [&](const vec &v, double r) { all.add(v, r); });
@@ -156,7 +178,6 @@ camera facing_hits(std::span<const shape> shapes, camera from) {
   vec side = (0.5 / size) * (touched.low + touched.high - all.low - all.high);
   const double aside = std::sqrt(dot(side, side));
   side = aside > 0.05 ? (0.5 / aside) * side : vec{};
-  const vec given = axes(from)[2];
   camera best = from;
   double most = 0;
   for (const double elevation : {from.elevation, from.elevation - 30, from.elevation + 30})

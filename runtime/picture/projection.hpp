@@ -31,6 +31,7 @@ struct projection {
 
   vec to_camera(const vec &world) const;
   double shrink(double z) const { return perspective ? focus / (eye - z) : 1; }
+  double nearest() const { return eye - 0.01 * focus; } // what lies beyond, about the eye or behind it, is not seen
   double nearness(double z) const { return perspective ? focus * shrink(z) : z; } // slope 1 at the target
   std::array<double, 2> flatten(const vec &c) const;                              // before zoom and shift
   screen_point to_screen(const vec &c) const;

@@ -213,6 +213,41 @@ bool large_triangles(const shape &s, const projection &p, double pixel) {
   return sum * p.zoom * p.zoom > 150 * pixel * pixel * static_cast<double>(elements(s));
 }
 
+// A triangle's part before the eye, as a convex polygon.
+struct part {
+  std::array<corner, 4> at;
+  std::size_t n = 0;
+};
+
+part before_eye(const projection &p, const std::array<vec, 3> &point, const std::array<vec, 3> &normal) {
+  part out;
+  const double limit = p.nearest();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const vec &a = point[k], &b = point[(k + 1) % 3];
+    if (a.z <= limit)
+      out.at[out.n++] = {p.to_screen(a), normal[k]};
+    if ((a.z <= limit) != (b.z <= limit)) {
+      const double t = (limit - a.z) / (b.z - a.z);
+      out.at[out.n++] = {p.to_screen({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), limit}),
+                         (1 - t) * normal[k] + t * normal[(k + 1) % 3]};
+    }
+  }
+  return out;
+}
+
+// Moves the end that is not seen to where the segment is. Returns false where none of it is.
+bool clip(const projection &p, vec &a, vec &b) {
+  const double limit = p.nearest();
+  for (vec *const end : {&a, &b})
+    if (const vec &other = end == &a ? b : a; end->z > limit) {
+      if (other.z > limit)
+        return false;
+      *end = *end + ((limit - end->z) / (other.z - end->z)) * (other - *end);
+      end->z = limit;
+    }
+  return true;
+}
+
 void draw_triangles(const shape &s, std::size_t number, const projection &p, bool smooth, double pixel, layer &surface,
                     layer &marked) {
   const normals normal_of(s, p, smooth);
@@ -221,23 +256,31 @@ void draw_triangles(const shape &s, std::size_t number, const projection &p, boo
     const element e = element_at(s, i);
     if (e.n == 0)
       continue;
-    std::array<corner, 3> c;
+    std::array<vec, 3> point, normal;
     for (std::size_t k = 0; k < 3; ++k)
-      c[k].at = p.to_screen(p.to_camera(e.point[k]));
-    const auto [low_x, high_x] = std::minmax({c[0].at.x, c[1].at.x, c[2].at.x});
-    const auto [low_y, high_y] = std::minmax({c[0].at.y, c[1].at.y, c[2].at.y});
+      point[k] = p.to_camera(e.point[k]);
+    part seen = before_eye(p, point, {});
+    double low_x = 1e300, high_x = -1e300, low_y = 1e300, high_y = -1e300;
+    for (std::size_t k = 0; k < seen.n; ++k) {
+      low_x = std::min(low_x, seen.at[k].at.x), high_x = std::max(high_x, seen.at[k].at.x);
+      low_y = std::min(low_y, seen.at[k].at.y), high_y = std::max(high_y, seen.at[k].at.y);
+    }
     if (!(high_x >= -1 && low_x <= surface.width + 1 && high_y >= -1 && low_y <= surface.height + 1))
       continue;
-    const screen_point &q = c[0].at;
-    const bool away = (c[1].at.x - q.x) * (c[2].at.y - q.y) - (c[1].at.y - q.y) * (c[2].at.x - q.x) > 0;
+    const auto [q, r, t] = std::array{seen.at[0].at, seen.at[1].at, seen.at[2].at};
+    const bool away = (r.x - q.x) * (t.y - q.y) - (r.y - q.y) * (t.x - q.x) > 0;
     for (std::size_t k = 0; k < 3; ++k) // both sides are lit
-      c[k].normal = (away ? -1.0 : 1.0) * normal_of.corner(i, k);
-    fill(surface, c, number, pixel, wire);
-    if (is_hit(s, i)) {
-      fill(marked, c, number, pixel, wire);
-      for (std::size_t k = 0; k < 3; ++k) // needles and triangles between two samples leave a mark as well
-        line(marked, c[k].at, c[(k + 1) % 3].at, 0.5, number, false, c[k].normal);
+      normal[k] = (away ? -1.0 : 1.0) * normal_of.corner(i, k);
+    seen = before_eye(p, point, normal);
+    for (std::size_t k = 2; k < seen.n; ++k) {
+      const std::array<corner, 3> c{seen.at[0], seen.at[k - 1], seen.at[k]};
+      fill(surface, c, number, pixel, wire);
+      if (is_hit(s, i))
+        fill(marked, c, number, pixel, wire);
     }
+    for (std::size_t k = 0; is_hit(s, i) && k < seen.n;
+         ++k) // needles and triangles between two samples leave a mark as well
+      line(marked, seen.at[k].at, seen.at[(k + 1) % seen.n].at, 0.5, number, false, seen.at[k].normal);
   }
 }
 
@@ -259,12 +302,14 @@ void draw(const shape &s, std::size_t number, const projection &p, const camera 
     const element e = element_at(s, i);
     if (e.n == 0)
       continue;
-    const vec a = p.to_camera(e.point[0]);
+    vec a = p.to_camera(e.point[0]), b = p.to_camera(e.point[s.what == form::segments ? 1 : 0]);
+    if (s.what == form::segments ? !clip(p, a, b) : a.z + e.radius * p.unit > p.nearest())
+      continue;
     for (layer *l : {&surface, &marked}) {
       if (l == &marked && !is_hit(s, i))
         continue;
       if (s.what == form::segments) {
-        line(*l, p.to_screen(a), p.to_screen(p.to_camera(e.point[1])), 1.1 * pixel, number, true, {0, 0, 1});
+        line(*l, p.to_screen(a), p.to_screen(b), 1.1 * pixel, number, true, {0, 0, 1});
         continue;
       }
       // A ball smaller than a pixel is drawn with that size, so that it does not fall between samples.

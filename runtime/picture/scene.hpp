@@ -2,7 +2,7 @@
 #ifndef MEETC_PICTURE_SCENE_HPP
 #define MEETC_PICTURE_SCENE_HPP
 
-#include "meet/picture/image.hpp"
+#include "meet/picture/palette.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -23,7 +23,7 @@ struct shape {
   std::span<const float> rows;
   std::span<const std::uint32_t> index;
   std::span<const std::uint8_t> hit; // one for each element, non-zero where it is hit; missing ones are not hit
-  colour base = palette::green;
+  colour base = palette::calm[0];
   colour hit_colour = palette::yellow;
   std::string name; // for captions
   // For captions: the name of `parts` elements together, such as a box of twelve triangles; empty: each stands alone.

@@ -37,6 +37,9 @@ pose place_of(const py::array &at, const kind_info &kind);
 // The item of each element, 32-bit; empty without an array.
 std::span<const std::uint32_t> owners_of(const std::optional<py::array> &owner);
 
+// Rows of two elements, int32.
+std::span<const index_pair> pairs_of(const py::array &pairs);
+
 // An array of As over the memory of a vector of numbers of the same size, which it then owns.
 template <class As, class T> py::array as_array(std::vector<T> &&numbers, std::vector<py::ssize_t> shape) {
   static_assert(sizeof(T) % sizeof(As) == 0);

@@ -17,6 +17,7 @@ void bind_files(pybind11::module_ &module);
 void bind_world(pybind11::module_ &module);
 void bind_contacts(pybind11::module_ &module);
 void bind_self(pybind11::module_ &module);
+void bind_report(pybind11::module_ &module);
 void bind_polygons(pybind11::module_ &module);
 void bind_device(pybind11::module_ &module); // in a build with CUDA, as this:
 void bind_evaluate_there(pybind11::module_ &module);

@@ -66,6 +66,7 @@ PYBIND11_MODULE(_native, m) {
   bind_world(m);
   bind_contacts(m);
   bind_self(m);
+  bind_report(m);
   bind_polygons(m);
   m.attr("with_cuda") = MEETC_WITH_CUDA != 0;
 #if MEETC_WITH_CUDA

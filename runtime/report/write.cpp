@@ -1,5 +1,6 @@
 #include "meet/report/write.hpp"
 
+#include "meet/io/elements/words.hpp"
 #include "meet/report/bytes.hpp"
 #include "meet/report/detail.hpp"
 #include "meet/report/empty_page.hpp"
@@ -138,13 +139,6 @@ json frames_in(const std::vector<frame> &frames) {
   return out;
 }
 
-std::string grouped(std::size_t n) {
-  std::string out = std::to_string(n);
-  for (std::size_t i = out.size(); i > 3; i -= 3)
-    out.insert(i - 3, 1, ',');
-  return out;
-}
-
 // The page with text in its two places. Text of a user stands in JSON alone, where no byte ends an element of HTML.
 std::string filled(const std::string &header, const std::string &bytes) {
   const std::string_view page = empty_page();
@@ -190,11 +184,11 @@ std::string as_html(const scene &s, const limits &most) {
     notes.push_back(
         fmt::format("This page lists the first {} of {} pairs; faces of the others alone are rounded to 16 bits "
                     "here. The option --pairs writes all.",
-                    grouped(listed.count), grouped(s.pairs.size())));
+                    io::grouped(listed.count), io::grouped(s.pairs.size())));
   json header = {{"title", s.title},
                  {"centre", at.centre},
                  {"unit", at.unit},
-                 {"curve", colour(picture::palette::sky)},
+                 {"curve", colour(picture::palette::contact)},
                  {"facts", s.facts},
                  {"notes", notes},
                  {"shapes", shapes},

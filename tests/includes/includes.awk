@@ -30,8 +30,9 @@ BEGIN {
         " core/threads core/views core/hierarchy core/sets core/answers core/traversal core/cascade core/query core/world" \
         " core/contacts" \
         " core/device/memory core/device/set core/device/walk core/device/answers core/device/query core/device" \
-        " core/device/every_pair io/files io/text io/elements io/polygon io/mesh io front python" \
-        " python/device picture report bodies app/input app/text app/query app/output app/inspect app/world app/commands bench/peers bench/baselines bench/truth" \
+        " core/device/every_pair io/files io/text io/elements io/polygon io/mesh io front picture report python" \
+        " python/device bodies app/input app/text app/query app/output app/inspect app/world app/commands bench/peers" \
+        " bench/baselines bench/truth" \
         " bench/harness bench/scenes bench/tables bench/tables/cpu bench/tables/gpu bench/tables/paper bench/tables/trade" \
         " bench/tables/command main", order_runtime, " ")
   for (i = 1; i in order_runtime; ++i) {

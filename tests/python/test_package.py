@@ -42,11 +42,12 @@ class Package(unittest.TestCase):
     def test_the_page_shows_the_examples_and_what_they_print(self):
         with open(os.path.join(SOURCE, "docs/python.md"), encoding="utf-8") as file:
             page = file.read()
-        for name in ("touching.py", "contacts.py", "bodies.py", "manager.py"):
+        for name in ("touching.py", "contacts.py", "page.py", "bodies.py", "manager.py"):
             path = os.path.join(EXAMPLES, name)
             with open(path, encoding="utf-8") as file:
                 self.assertIn(f"<!-- docs/examples/python/{name} -->\n```python\n{file.read()}```\n", page)
-            code, text = run(sys.executable, "-W", "error", path)
+            with tempfile.TemporaryDirectory() as folder:
+                code, text = run(sys.executable, "-W", "error", path, cwd=folder)
             self.assertEqual(code, 0, text)
             self.assertIn(f"It prints:\n\n```\n{text}```\n", page)
 

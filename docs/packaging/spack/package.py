@@ -19,6 +19,8 @@ class Meetc(CMakePackage, CudaPackage):
     depends_on("flint")
     depends_on("gmp")
     depends_on("libpng")
+    depends_on("freetype")
+    depends_on("fontconfig")
     depends_on("cuda@12:", when="+cuda")
 
     def cmake_args(self):

@@ -86,10 +86,10 @@ void write_colours(const collide_request &q, const painted &a, const painted &b,
 
 void write_all(const collide_request &q, const std::optional<formula_choice> &formula, output_files &outputs,
                collide_report &report) {
-  const painted a{report.a, report.found.a.hit, q.a.filename().string(), picture::palette::green,
+  const painted a{report.a, report.found.a.hit, q.a.filename().string(), picture::palette::calm[0],
                   picture::palette::yellow};
-  const painted b{report.b, report.found.b.hit, q.b.filename().string(), picture::palette::blue,
-                  picture::palette::pink};
+  const painted b{report.b, report.found.b.hit, q.b.filename().string(), picture::palette::calm[1],
+                  picture::palette::vermilion};
   const auto write_list = [&](const std::optional<fs::path> &to, const std::vector<index_pair> &list) {
     if (!to)
       return;
@@ -113,7 +113,7 @@ void write_all(const collide_request &q, const std::optional<formula_choice> &fo
   if (q.colour)
     write_colours(q, a, b, outputs, report);
   if (q.image) {
-    outputs.write(*q.image, [&a, &b](const fs::path &to) { write_picture(to, {a, b}); });
+    outputs.write(*q.image, [&](const fs::path &to) { write_picture(to, {a, b}, q.view); });
     report.written.push_back(q.image->string());
   }
   if (q.page) {

@@ -3,6 +3,7 @@
 #define MEETC_APP_COMMANDS_COLLIDE_COMMAND_HPP
 
 #include "meet/app/commands/command.hpp"
+#include "meet/app/input/picture_options.hpp"
 #include "meet/app/query/choose.hpp"
 #include "meet/app/query/device_pairs.hpp"
 #include "meet/io/read.hpp"
@@ -25,6 +26,7 @@ struct collide_request {
   bool self = false, merge = true; // A with itself; its corners with equal coordinates are one
   std::optional<std::filesystem::path> pairs, first, contacts, colour, image, page;
   bool contacts_float64 = false, contacts_embedded = false;
+  picture_view view; // of the image
   std::vector<std::string> evaluate; // a formula and the file for its values, or none
   int threads = 0;
   int devices = 1;

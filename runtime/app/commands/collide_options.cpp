@@ -5,6 +5,7 @@
 #include "meet/app/input/failure.hpp"
 #include "meet/app/input/input_options.hpp"
 #include "meet/app/input/option_values.hpp"
+#include "meet/app/input/picture_options.hpp"
 #include "meet/app/query/choose.hpp"
 
 #include <CLI/CLI.hpp>
@@ -21,7 +22,7 @@ namespace {
 struct arguments {
   collide_request request;
   std::string precision = "certified", device = "auto", instruction_set = "auto";
-  std::optional<std::string> tolerance, threads, devices;
+  std::optional<std::string> tolerance, threads, devices, camera, size;
   input_arguments a, b;
   bool separate = false; // --no-merge
   bodies_arguments bodies;
@@ -153,6 +154,15 @@ void add_answers(CLI::App &c, arguments &to) {
       ->type_name("DIR");
   c.add_option("--image", q.image, "Write a picture in which touching elements stand out")->type_name("out.png");
   c.add_option(
+       "--camera", to.camera,
+       "From where --image is seen: degrees about the upward axis y, from the front z, and above the horizon; a "
+       "distance, 1 "
+       "where the scene fills the picture; and z if that axis is upward and the front -y. Or the x,y,z of the eye, of "
+       "the "
+       "point that it looks at, and of the direction up (0,1,0), with a view 30 degrees high. 28,16 is the default")
+      ->type_name("AZIMUTH,ELEVATION[,DISTANCE][,z]|EYE,TARGET[,UP]");
+  c.add_option("--size", to.size, "The size of --image in pixels; 1600x900 is the default")->type_name("WIDTHxHEIGHT");
+  c.add_option(
        "--report", q.page,
        "Write a page for a browser, one file that needs no network: the elements that touch and where they meet, in "
        "a scene to turn, with a list of the pairs")
@@ -164,9 +174,18 @@ void add_answers(CLI::App &c, arguments &to) {
   c.add_option("--threads", to.threads, "Threads; 0, the default, is all cores")->type_name("N");
 }
 
+void read_view(arguments &args) {
+  collide_request &q = args.request;
+  for (const auto &[name, given] : {std::pair("--camera", &args.camera), std::pair("--size", &args.size)})
+    if (*given && !q.image)
+      throw failure(fmt::format("{}: it is about a picture; write --image out.png as well", name));
+  q.view = picture_view_named(args.camera, args.size);
+}
+
 const collide_request &read(arguments &args) {
   collide_request &q = args.request;
   check_self(args);
+  read_view(args);
   q.merge = !args.separate;
   q.on = processor_named(args.device);
   if (q.on == processor::best && args.instruction_set != "auto") // the option concerns the CPU alone

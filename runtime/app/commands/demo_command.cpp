@@ -32,10 +32,8 @@ fs::path page_path(const fs::path &folder, const demo_scene &s) {
 
 void write_scene(const fs::path &folder, const demo_scene &s, const query &asked, const answers &found,
                  output_files &outputs, std::vector<std::string> &written) {
-  const bool balls_only = !is_mesh(s.a) && !is_mesh(s.b);
-  const painted a{s.a, found.a.hit, s.name_a, picture::palette::green, picture::palette::yellow};
-  const painted b{s.b, found.b.hit, s.name_b, picture::palette::blue,
-                  balls_only ? picture::palette::orange : picture::palette::pink};
+  const painted a{s.a, found.a.hit, s.name_a, picture::palette::calm[0], picture::palette::yellow};
+  const painted b{s.b, found.b.hit, s.name_b, picture::palette::calm[1], picture::palette::vermilion};
   for (const painted *const side : {&a, &b})
     if (is_mesh(side->set)) {
       const fs::path path = mesh_path(folder, side->name);
@@ -86,6 +84,8 @@ std::string demo(const catalogue &all, const fs::path &folder, int threads) {
   out += "\nCertified answers, never wrong, on the CPU; a time covers preparing both sets and finding every pair.\n";
   for (const std::string &path : written)
     out += fmt::format("wrote {}\n", path);
+  out += fmt::format("\nOpen {} in a browser: turn the scene, and click on a pair to fly there.\n",
+                     page_path(folder, scenes.front()).string());
   return out;
 }
 

@@ -43,7 +43,7 @@ void check_outputs(const collide_request &q, output_files &outputs) {
 }
 
 void write_all(const collide_request &q, const predicate_info &predicate, output_files &outputs, self_report &report) {
-  const painted a{report.a, report.hit, q.a.filename().string(), picture::palette::green, picture::palette::yellow};
+  const painted a{report.a, report.hit, q.a.filename().string(), picture::palette::calm[0], picture::palette::yellow};
   if (q.pairs) {
     outputs.write(*q.pairs, [&report](const fs::path &to) { write_self_pairs(to, report); });
     report.written.push_back(q.pairs->string());
@@ -55,7 +55,7 @@ void write_all(const collide_request &q, const predicate_info &predicate, output
     report.written.push_back(path.string());
   }
   if (q.image) {
-    outputs.write(*q.image, [&a](const fs::path &to) { write_picture(to, {a}); });
+    outputs.write(*q.image, [&](const fs::path &to) { write_picture(to, {a}, q.view); });
     report.written.push_back(q.image->string());
   }
   if (q.page) {

@@ -3,14 +3,11 @@
 #define MEETC_APP_INPUT_SETS_HPP
 
 #include "meet/core/query/collide.hpp"
-#include "meet/io/elements/element_set.hpp"
+#include "meet/io/elements/words.hpp"
 
 namespace meetc::app {
 
-// Whether the elements are triangles, which can be coloured face by face, and whose faces a report counts.
-inline bool is_mesh(const io::element_set &set) {
-  return set.kind->points == 3 && set.kind->fields == 9;
-}
+using io::is_mesh;
 
 // Packs the set's elements (not its items: a polygon is several triangles). The set's `owner` goes to collide_options,
 // so that pairs are of items. `counterpart` and the errors are as in meetc::prepare; sets from io::read are

@@ -250,10 +250,6 @@ contact_counts write_in(const fs::path &to, const io::element_set &a, const io::
   return counts_of(c);
 }
 
-std::string some(std::size_t n, const char *what) {
-  return fmt::format("{} {}{}", grouped(n), what, n == 1 ? "" : "s");
-}
-
 } // namespace
 
 // By the processor that has found the pairs. Where that was a choice of ours and it fails, the CPU takes its place.
@@ -278,20 +274,6 @@ template contact_set<float> find_contacts(const io::element_set &, const io::ele
 template contact_set<double> find_contacts(const io::element_set &, const io::element_set &, const query &,
                                            const answers &);
 
-template <class Real> contact_counts counts_of(const contact_set<Real> &c) {
-  return {c.nodes(),
-          c.pieces.size(),
-          c.polylines.size(),
-          static_cast<std::size_t>(std::count(c.closed.begin(), c.closed.end(), 1)),
-          c.patches.size(),
-          c.single_nodes.size(),
-          c.witness_pairs.size(),
-          c.embedded,
-          c.seconds};
-}
-template contact_counts counts_of(const contact_set<float> &);
-template contact_counts counts_of(const contact_set<double> &);
-
 void check_contact_file(const fs::path &to) {
   const std::string extension = extension_of(to);
   if (extension != ".csv" && extension != ".obj" && extension != ".ply" && extension != ".json")
@@ -314,22 +296,6 @@ void require_contacts(const predicate_info &predicate) {
 contact_counts write_contacts(const fs::path &to, bool float64, const io::element_set &a, const io::element_set &b,
                               const query &asked, const answers &found, output_files &outputs) {
   return float64 ? write_in<double>(to, a, b, asked, found, outputs) : write_in<float>(to, a, b, asked, found, outputs);
-}
-
-std::string in_words(const contact_counts &c) {
-  if (c.witnesses > 0)
-    return fmt::format("{} witness{}, one of each pair", grouped(c.witnesses), c.witnesses == 1 ? "" : "es");
-  std::string out = fmt::format("{}, {}, {} ({} closed)", some(c.nodes, "node"), some(c.pieces, "piece"),
-                                some(c.polylines, "polyline"), grouped(c.closed));
-  if (c.patches > 0)
-    out += fmt::format(", {}", some(c.patches, "flat polygon"));
-  if (c.single_nodes > 0)
-    out += fmt::format(", {}", some(c.single_nodes, "single point"));
-  if (c.embedded == embedding::embedded)
-    out += "; both meshes are embedded, so that nodes and points are one to one";
-  else if (c.embedded == embedding::not_embedded)
-    out += "; a mesh is not embedded (--self lists why), so that several nodes may be one point";
-  return out;
 }
 
 } // namespace meetc::app

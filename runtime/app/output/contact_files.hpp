@@ -14,14 +14,13 @@
 #include "meet/app/output/output_files.hpp"
 #include "meet/app/query/collide_sets.hpp"
 #include "meet/core/contacts/contacts.hpp"
+#include "meet/report/contact_lines.hpp"
 
 namespace meetc::app {
 
-struct contact_counts {
-  std::size_t nodes = 0, pieces = 0, polylines = 0, closed = 0, patches = 0, single_nodes = 0, witnesses = 0;
-  embedding embedded = embedding::unchecked;
-  double seconds = 0; // to find them, without writing
-};
+using report::contact_counts;
+using report::counts_of;
+using report::in_words;
 
 // "yes", "no" or "unchecked"
 const char *name_of(embedding e);
@@ -35,15 +34,11 @@ void require_contacts(const predicate_info &predicate);
 template <class Real>
 contact_set<Real> find_contacts(const io::element_set &a, const io::element_set &b, const query &asked,
                                 const answers &found);
-template <class Real> contact_counts counts_of(const contact_set<Real> &contacts);
 
 // Finds the contacts of found.element_pairs and writes them. float64: coordinates are rounded to it, and not to float32.
 contact_counts write_contacts(const std::filesystem::path &to, bool float64, const io::element_set &a,
                               const io::element_set &b, const query &asked, const answers &found,
                               output_files &outputs);
-
-// "4,764 nodes, 4,762 pieces, 9 polylines (7 closed)"
-std::string in_words(const contact_counts &counts);
 
 } // namespace meetc::app
 

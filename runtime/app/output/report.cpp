@@ -3,6 +3,7 @@
 #include "meet/app/input/sets.hpp"
 #include "meet/app/text/boxes.hpp"
 #include "meet/app/text/words.hpp"
+#include "meet/report/sets_page.hpp"
 
 #include <fmt/format.h>
 
@@ -86,10 +87,7 @@ std::string answer_line(const collide_report &r) {
   const answers &f = r.found;
   if (r.asked.any)
     return f.pairs ? "They touch (stopped at the first pair found).\n" : "Nothing touches.\n";
-  if (f.pairs == 0)
-    return "Nothing touches: 0 pairs.\n";
-  return fmt::format("{} {}: {} of A, {} of B.\n", grouped(f.pairs), f.pairs == 1 ? "pair touches" : "pairs touch",
-                     counted(r.a, f.a.touched), counted(r.b, f.b.touched));
+  return report::touching_in_words(f.pairs, r.a, f.a.touched, r.b, f.b.touched) + ".\n";
 }
 
 std::string device_line(const device_account &d) {

@@ -7,8 +7,6 @@
 #include "meet/app/output/self_report.hpp"
 
 #include <filesystem>
-#include <string>
-#include <string_view>
 
 namespace meetc::app {
 
@@ -17,10 +15,6 @@ void check_page(const std::filesystem::path &to);
 
 // Whether the page shows where these pairs meet, for which found.element_pairs must be kept.
 bool page_has_contacts(const query &asked);
-
-// The precision of an answer and what it promises; and the numbers that reading has moved.
-std::string precision_in_words(rung precision);
-std::string rounding_in_words(const io::rounded_numbers &moved, std::string_view of = "");
 
 // The bytes depend on the sets, their names and the answer alone. found.list has all pairs. Throws io::error.
 void write_page(const std::filesystem::path &to, const painted &a, const painted &b, const collide_report &report);

@@ -1,9 +1,10 @@
 #include "meet/app/world/bodies_page.hpp"
 
 #include "meet/app/output/paint.hpp"
-#include "meet/app/output/report_page.hpp"
+#include "meet/app/query/choose.hpp"
 #include "meet/app/text/words.hpp"
 #include "meet/io/files/atomic_file.hpp"
+#include "meet/report/sets_page.hpp"
 #include "meet/report/write.hpp"
 
 #include <fmt/format.h>
@@ -66,7 +67,7 @@ std::string answer_in_words(const std::vector<frame_answer> &answers) {
 
 void write_bodies_page(const std::filesystem::path &to, const bodies_scene &of, const world_source &from,
                        std::span<const frame> frames, const std::vector<frame_answer> &answers, rung precision) {
-  constexpr picture::colour calm[] = {picture::palette::green, picture::palette::blue, picture::palette::red};
+  constexpr std::span calm = picture::palette::calm;
   report::scene s;
   s.title = fmt::format("{} bodies", grouped(of.names.size()));
   const std::vector<std::uint8_t> no_hits; // bodies are coloured as a whole
@@ -79,8 +80,8 @@ void write_bodies_page(const std::filesystem::path &to, const bodies_scene &of, 
     const auto number = static_cast<std::size_t>(at - sets.begin());
     if (at == sets.end()) {
       sets.push_back(&elements);
-      const drawn_side &one = drawn.emplace_back(
-          painted{elements, no_hits, name, calm[number % std::size(calm)], picture::palette::yellow});
+      const drawn_side &one =
+          drawn.emplace_back(painted{elements, no_hits, name, calm[number % calm.size()], picture::palette::yellow});
       s.shapes.push_back({one.shape, one.owner, elements.items, counted(elements)});
       for (const std::string &note : elements.notes)
         s.notes.push_back(fmt::format("{}: {}", name, note));
@@ -102,11 +103,11 @@ void write_bodies_page(const std::filesystem::path &to, const bodies_scene &of, 
   }
   s.facts = {{"Bodies", grouped(of.names.size())},
              {"Answer", answer_in_words(answers)},
-             {"Precision", precision_in_words(precision)}};
+             {"Precision", report::precision_in_words(precision, name_of(precision))}};
   io::rounded_numbers rounded;
   for (const io::element_set *const set : sets)
     rounded.add(set->rounded);
-  s.facts.emplace_back("Rounding", rounding_in_words(rounded));
+  s.facts.emplace_back("Rounding", report::rounding_in_words(rounded));
   for (const std::string &line : unknown_in_lines(of, answers))
     s.notes.push_back(line);
   s.notes.insert(s.notes.end(), of.notes.begin(), of.notes.end());

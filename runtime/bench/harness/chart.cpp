@@ -35,7 +35,7 @@ plot plot_of(const chart &c, int width, int height) {
   std::vector<std::string> names, colours, points;
   for (const curve &k : c.curves) {
     names.push_back(k.name);
-    colours.push_back(fmt::format("#{:02x}{:02x}{:02x}", k.ink.r, k.ink.g, k.ink.b));
+    colours.push_back(picture::hexadecimal(k.ink));
     points.emplace_back();
     for (const auto &p : k.points)
       points.back() += drawable(p) ? fmt::format("{:.17g} {:.17g}\n", p.first, p.second) : "NaN NaN\n";

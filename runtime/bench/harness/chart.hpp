@@ -5,7 +5,7 @@
 #define MEETC_BENCH_HARNESS_CHART_HPP
 
 #include "meet/bench/harness/plot.hpp"
-#include "meet/picture/image.hpp"
+#include "meet/picture/palette.hpp"
 
 #include <string>
 #include <utility>
@@ -14,10 +14,8 @@
 namespace meetc::bench {
 
 namespace curve_colours {
-inline constexpr picture::colour red{206, 46, 38}; // for Möller's test, as in the paper
-inline constexpr picture::colour cpu{36, 92, 168};
-inline constexpr picture::colour search{120, 128, 138};
-inline constexpr picture::colour gpu{34, 142, 76};
+inline constexpr picture::colour cpu = picture::palette::series[0], red = picture::palette::series[1], // for Möller's
+    gpu = picture::palette::series[2], search = picture::palette::series[3]; // test, as in the paper
 } // namespace curve_colours
 
 struct curve {

@@ -1,6 +1,7 @@
 #include "meet/bench/harness/plot.hpp"
 
 #include "meet/app/input/failure.hpp"
+#include "meet/picture/palette.hpp"
 
 #include <fmt/format.h>
 
@@ -12,6 +13,7 @@
 #include <sys/wait.h>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 extern char **environ;
 
@@ -94,6 +96,10 @@ void plot::draw(const std::filesystem::path &to) const {
   const open_file file = opened(to.c_str(), "we"), script = {std::tmpfile(), std::fclose};
   if (!file || !script)
     throw app::failure(fmt::format("{}: cannot be written: {}", to.string(), std::generic_category().message(errno)));
+  namespace palette = picture::palette;
+  for (const auto &[variable, c] : {std::pair("paper", palette::paper), std::pair("ink", palette::ink),
+                                    std::pair("line", palette::line), std::pair("thin_line", palette::thin_line)})
+    fmt::print(script.get(), "{} = '{}'\n", variable, picture::hexadecimal(c));
   std::fputs(values_.c_str(), script.get());
   std::fwrite(script_.data(), 1, script_.size(), script.get());
   std::rewind(script.get());

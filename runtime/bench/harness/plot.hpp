@@ -1,7 +1,8 @@
 // bench/harness/plot.hpp: pictures that gnuplot draws: a script of the folder plots, and the values that it reads.
 //
 // The scripts are part of the program. A script says at its top which variables, lists and data it reads; these are written
-// before it. The same values always give the same script, and the same script the same file.
+// before it, and so are the colours of all: paper, ink, line and thin_line. The same values always give the
+// same script, and the same script the same file.
 #ifndef MEETC_BENCH_HARNESS_PLOT_HPP
 #define MEETC_BENCH_HARNESS_PLOT_HPP
 

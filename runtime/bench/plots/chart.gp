@@ -5,7 +5,7 @@
 #   curves names[] colours[]    how many, what each is called, and its colour
 #   $points                     x y; a section for each curve
 set encoding utf8
-set terminal pngcairo noenhanced size width,height background '#fcfcfb' font sprintf('Sans,%d', width < 630 ? 7 : width / 90)
+set terminal pngcairo noenhanced size width,height background paper font sprintf('Sans,%d', width < 630 ? 7 : width / 90)
 set title title_words
 set xlabel x_words
 set ylabel y_words
@@ -13,7 +13,7 @@ set logscale xy
 set border 3
 set tics nomirror out
 set key above left vertical Left reverse maxcols 1 samplen 3
-set grid xtics mxtics ytics lt 1 lc rgb '#dee1e4', lt 1 lc rgb '#f0f1f2'
+set grid xtics mxtics ytics lt 1 lc rgb line, lt 1 lc rgb thin_line
 
 # Thousands and millions as the paper writes them.
 power(e) = e < -3 || e > 8 ? sprintf('1e%d', e) : e < 0 ? sprintf('%g', 10.0**e) : \

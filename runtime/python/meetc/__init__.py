@@ -15,6 +15,7 @@ one with points and faces (PyVista), or a tuple (vertices, faces), which is prep
     over_poses                            one set against another one in many poses
     DeviceSet, devices                    arrays that lie on a CUDA device, in a build with CUDA
     World                                 many bodies that move, and which of them touch or lie inside others
+    report                                a page that shows what touches: save() writes it, and Jupyter shows it
     evaluate, formula, formulas           the values of a formula of the geometric algebra
     meetc.trimesh                         a CollisionManager with the signatures of trimesh's
 
@@ -30,6 +31,7 @@ from meetc._evaluate import evaluate, formula, formulas
 from meetc._hits import HitPoints, first, hit_points
 from meetc._native import version as __version__
 from meetc._queries import count, counts, hits, over_poses, pairs, touches
+from meetc._report import Report, report
 from meetc._self import self_pairs
 from meetc._set import Set
 from meetc._types import Formula, Kind, Meshlike, OnDevice, Precision, Rounded
@@ -50,6 +52,7 @@ __all__ = [
     "Nested",
     "OnDevice",
     "Precision",
+    "Report",
     "Root",
     "Rounded",
     "RoundedWarning",
@@ -68,12 +71,13 @@ __all__ = [
     "hits",
     "over_poses",
     "pairs",
+    "report",
     "self_pairs",
     "touches",
 ]
 
 for _public in (DeviceError, DeviceSet, InputError, MeetError, MeetWarning, RoundedWarning, Contacts, Formula, HitPoints,
-                Lines, Nested, Root, Rounded, Set, World, contacts, devices, evaluate, formula, formulas, count, counts, first,
-                hit_points, hits, over_poses, pairs, self_pairs, touches):
+                Lines, Nested, Report, Root, Rounded, Set, World, contacts, devices, evaluate, formula, formulas, count, counts,
+                first, hit_points, hits, over_poses, pairs, report, self_pairs, touches):
     _public.__module__ = __name__
 del _public

@@ -59,6 +59,31 @@ def self_pairs(
     merge: bool,
     threads: int,
 ) -> tuple[_Ints, _Ints]: ...
+# Kind, numbers, index, owner, items, pose, name, the numbers that float32 moved, how far at most, notes.
+_Side = tuple[
+    str,
+    NDArray[np.float32],
+    NDArray[Any] | None,
+    NDArray[np.uint32] | None,
+    int,
+    NDArray[np.float64] | None,
+    str,
+    int,
+    float,
+    list[str],
+]
+
+def page_of_two(
+    a: _Side,
+    b: _Side | None,
+    predicate: str,
+    turned: bool,
+    precision: str,
+    pairs: _Ints,
+    elements: _Ints,
+    threads: int,
+) -> bytes: ...
+def page_of_one(a: _Side, merged: bool, pairs: _Ints, elements: _Ints, threads: int) -> bytes: ...
 def polygon_starts(flat: _Longs, least: int) -> _Longs: ...
 def cut_polygons(
     points: NDArray[np.float32], corners: NDArray[np.uint32], counts: NDArray[np.uint32], threads: int

@@ -18,6 +18,7 @@ TEST_CASE("the demo writes what it says and its meshes give the counts it prints
       CHECK(fs::file_size(folder() / line.substr(6)) > 10000);
     }
   CHECK(written == 12);
+  CHECK(has(s.out, "\nOpen show/animal-figure.html in a browser: turn the scene, and click on a pair to fly there.\n"));
   CHECK(files_in(at("show")) == written);
   const std::uint64_t pairs = answer({"show/animal.ply", "show/figure.ply"})["pairs"];
   CHECK(pairs == 1690);

@@ -62,10 +62,10 @@ TEST_CASE("help says what there is, and only that") {
   }
   CHECK_FALSE(has(one.out, "tolerant")); // --tolerance asks for it
   for (const char *const option :
-       {"--predicate", "--mode",     "--precision", "--tolerance",   "--device",  "--translate-b",
-        "--scale-b",   "--matrix-b", "--motor-b",   "--translate-a", "--scale-a", "--matrix-a",
-        "--format-a",  "--format-b", "--kind-a",    "--kind-b",      "--any",     "--pairs",
-        "--first",     "--color",    "--image",     "--json",        "--threads", "--devices"})
+       {"--predicate", "--mode",    "--precision",   "--tolerance", "--device",   "--translate-b", "--scale-b",
+        "--matrix-b",  "--motor-b", "--translate-a", "--scale-a",   "--matrix-a", "--format-a",    "--format-b",
+        "--kind-a",    "--kind-b",  "--any",         "--pairs",     "--first",    "--color",       "--image",
+        "--json",      "--threads", "--devices",     "--camera",    "--size"})
     CHECK(has(one.out, option));
   CHECK(has(one.out, "pairs is 0 or 1"));
   CHECK(run({"--version"}).out.rfind("meet ", 0) == 0);

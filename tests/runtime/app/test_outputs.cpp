@@ -3,6 +3,7 @@
 #include "fixture.hpp"
 
 #include "meet/io/read.hpp"
+#include "meet/picture/palette.hpp"
 
 #include <cstring>
 #include <sys/stat.h>
@@ -88,8 +89,11 @@ TEST_CASE("coloured meshes: as many bright faces as are touched") {
   const auto a = colours_in(at("new/folder/a.ply"), 1280), b = colours_in(at("new/folder/b.ply"), 2304);
   REQUIRE(a.size() == 2);
   REQUIRE(b.size() == 2);
-  CHECK(a.at("\xff\xd6" + std::string(1, '\0')) == j["touched_a"]);
-  CHECK(b.at("\xff\x14\x89") == j["touched_b"]);
+  const auto bytes = [](meetc::picture::colour c) {
+    return std::string{static_cast<char>(c.r), static_cast<char>(c.g), static_cast<char>(c.b)};
+  };
+  CHECK(a.at(bytes(meetc::picture::palette::yellow)) == j["touched_a"]);
+  CHECK(b.at(bytes(meetc::picture::palette::vermilion)) == j["touched_b"]);
   CHECK(files_in(at("new/folder")) == 2);
   // B is written as it was moved, and can be read again.
   run({"collide", "ball.ply", "ring.ply", "--translate-b", "0.5,0,0", "--color", "new/folder"});
@@ -118,6 +122,72 @@ TEST_CASE("pictures, of every kind") {
     CHECK(png.substr(0, 8) == "\x89PNG\r\n\x1a\n");
     CHECK(png.size() > 10000);
   }
+}
+
+TEST_CASE("pictures from a camera and of a size") {
+  put_files();
+  const auto picture = [](std::vector<std::string> more) {
+    std::vector<std::string> words{"collide", "ball.ply", "ring.ply", "--image", "p.png"};
+    words.insert(words.end(), more.begin(), more.end());
+    const said s = run(words);
+    INFO(s.err);
+    CHECK(s.code == 0);
+    return get(at("p.png"));
+  };
+  const auto big_endian = [](const std::string &bytes, std::size_t i) {
+    const auto at = [&](std::size_t k) { return static_cast<unsigned char>(bytes[i + k]); };
+    return at(0) << 24 | at(1) << 16 | at(2) << 8 | at(3);
+  };
+  const std::string small = picture({"--size", "320x240"});
+  CHECK(big_endian(small, 16) == 320);
+  CHECK(big_endian(small, 20) == 240);
+  CHECK(picture({"--size", "320x240", "--camera", "28,16"}) == small);
+  CHECK(picture({"--size", "320x240", "--camera", "388,16,1"}) == small);
+  for (const char *const other : {"100,16", "28,90", "28,16,2", "28,16,z", "3,4,5,0,0,0", "3,4,5,0,0,0,0,0,1"})
+    CHECK(picture({"--size", "320x240", "--camera", other}) != small);
+  CHECK(run({"collide", "--self", "ring.ply", "--image", "self.png", "--size", "100x64", "--camera", "0,0"}).code == 0);
+  CHECK(big_endian(get(at("self.png")), 16) == 100);
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
+      {{"--size", "0x900"}, "--size 0x900: width and height are from 64 to 8192 pixels"},
+      {{"--size", "8193x64"}, "--size 8193x64: width and height are from 64 to 8192 pixels"},
+      {{"--size", "8192x8192"}, "a picture has at most 16777216"},
+      {{"--size", "1600"}, "--size: '1600' is not WIDTHxHEIGHT in pixels, such as 1600x900"},
+      {{"--size", "axb"}, "'axb' is not WIDTHxHEIGHT"},
+      {{"--camera", "nan,0"}, "--camera"},
+      {{"--camera", "1e999,0"}, "--camera"},
+      {{"--camera", "0,91"}, "--camera 0,91: the elevation 91 is beyond 90 degrees"},
+      {{"--camera", "0,0,0"}, "--camera 0,0,0: the distance 0 is not above 0"},
+      {{"--camera", "1"}, "--camera: '1' is neither azimuth,elevation"},
+      {{"--camera", "1,2,3,4"}, "--camera: '1,2,3,4' is neither"},
+      {{"--camera", "1,,2"}, "lacks a number beside a comma"},
+      {{"--camera", "1,2,3,1,2,3"}, "the eye and the point that it looks at are one"},
+      {{"--camera", "0,5,0,0,0,0"}, "it looks along the direction up, 0,1,0; name another one"},
+      {{"--camera", "0,5,0,0,0,0,0,0,0"}, "the direction up has no length"},
+      {{"--camera", "0,1e60,0,0,0,0"}, "is beyond all float32 numbers"}};
+  for (const auto &[words, line] : wrong) {
+    std::vector<std::string> all{"collide", "ball.ply", "ring.ply", "--image", "no.png"};
+    all.insert(all.end(), words.begin(), words.end());
+    CHECK(has(complaint(all), line));
+    CHECK_FALSE(fs::exists(at("no.png")));
+  }
+  CHECK(has(complaint({"collide", "ball.ply", "ring.ply", "--size", "320x240"}),
+            "--size: it is about a picture; write --image out.png as well"));
+}
+
+TEST_CASE("without a font a picture has no captions, and one line says so") {
+  put_files();
+  put("fonts.conf", "<?xml version=\"1.0\"?><!DOCTYPE fontconfig SYSTEM \"urn:fontconfig:fonts.dtd\"><fontconfig/>");
+  const std::vector<std::string> words{"collide", "ball.ply", "ring.ply", "--image", "bare.png"};
+  REQUIRE(::setenv("FONTCONFIG_FILE", at("fonts.conf").c_str(), 1) == 0);
+  const said bare = run(words);
+  ::unsetenv("FONTCONFIG_FILE");
+  CHECK(bare.code == 0);
+  CHECK(bare.err == "meet: this machine has no font, so that pictures have no captions; on Debian, the package "
+                    "fonts-dejavu-core has one\n");
+  const std::string without = get(at("bare.png"));
+  const said named = run(words);
+  CHECK(named.err.empty());
+  CHECK(get(at("bare.png")) != without);
 }
 
 TEST_CASE("an output is never an input, nor another output") {

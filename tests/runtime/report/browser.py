@@ -76,8 +76,8 @@ def check_pairs(page, t, pairs):
     check(page, "a click flies", t["chosen"]["moved"] and t["view_returns"], t["chosen"])
     check(page, "the next pair", t["next"] == "4" + pairs[3], t["next"])
     check(page, "the last pair", t["last"] == f"{len(pairs)}{pairs[-1]}", t["last"])
-    whole = p["whole"]["yellow"] + p["whole"]["pink"] + p["whole"]["orange"]
-    near = p["near"]["yellow"] + p["near"]["pink"] + p["near"]["orange"]
+    whole = p["whole"]["yellow"] + p["whole"]["vermilion"]
+    near = p["near"]["yellow"] + p["near"]["vermilion"]
     check(page, "what touches shows", whole > 50, whole)
     check(page, "what touches shows larger", near > 2 * whole, near)
 

@@ -176,10 +176,11 @@ void add_meshes(const paper_context &c, paper_result &to) {
     app::answers found;
     rows.push_back(measure_row(c, bunny, armadillo, tests, found));
     if (rows.size() == std::min<std::size_t>(2, mesh_rows(c))) // the triangles of such a mesh are large enough to see
-      to.figures.push_back(figure_of(
-          c, 2, fmt::format("{} - {} intersection", c.bodies.bunny_name(), c.bodies.armadillo_name()),
-          {{bunny, found.a.hit, c.bodies.bunny_name(), picture::palette::red, picture::palette::yellow},
-           {armadillo, found.b.hit, c.bodies.armadillo_name(), picture::palette::blue, picture::palette::pink}}));
+      to.figures.push_back(
+          figure_of(c, 2, fmt::format("{} - {} intersection", c.bodies.bunny_name(), c.bodies.armadillo_name()),
+                    {{bunny, found.a.hit, c.bodies.bunny_name(), picture::palette::calm[0], picture::palette::yellow},
+                     {armadillo, found.b.hit, c.bodies.armadillo_name(), picture::palette::calm[1],
+                      picture::palette::vermilion}}));
     c.advance();
   });
   add_tables(c, rows, to);

@@ -160,7 +160,7 @@ paper_figure figure_of(const paper_context &c, int number, std::string title, st
             std::vector<app::painted> painted;
             for (const painted_set &s : *kept)
               painted.push_back({s.set, s.hit, s.name, s.base, s.hit_colour});
-            app::write_picture(to, painted, {}, quick ? 800 : 1600, quick ? 450 : 900);
+            app::write_picture(to, painted, quick ? app::picture_view{{}, 800, 450} : app::picture_view{});
           }};
 }
 

@@ -16,7 +16,6 @@ namespace {
 // The last row in the paper, in milliseconds.
 constexpr double printed_cpu = 30034.4, printed_gpu = 715.872;
 constexpr std::size_t many = 1000;
-constexpr picture::colour triangle_green{112, 184, 118};
 
 // Maps rows of points in [-1, 1]^3 to the box around a mesh.
 std::vector<float> placed(const io::element_set &mesh, std::vector<float> rows) {
@@ -36,8 +35,8 @@ paper_figure large_triangle(const paper_context &c) {
   io::element_set triangle = app::of_mesh(c.all, std::move(m));
   const app::answers found = search_pairs(c, triangle, bunny, false);
   return figure_of(c, 1, fmt::format("Triangle - {} intersection", c.bodies.bunny_name()),
-                   {{std::move(triangle), {}, "triangle", triangle_green, triangle_green},
-                    {bunny, found.b.hit, c.bodies.bunny_name(), picture::palette::red, picture::palette::yellow}});
+                   {{std::move(triangle), {}, "triangle", picture::palette::calm[1], picture::palette::calm[1]},
+                    {bunny, found.b.hit, c.bodies.bunny_name(), picture::palette::calm[0], picture::palette::yellow}});
 }
 
 } // namespace

@@ -60,7 +60,7 @@ paper_row measure_cloud(const paper_context &c, std::size_t n, paper_result &to)
   if (n == 500)
     to.figures.push_back(figure_of(
         c, 4, "Spheres - spheres intersection",
-        std::vector<painted_set>{{set, touched, "spheres", picture::palette::blue, picture::palette::orange}}));
+        std::vector<painted_set>{{set, touched, "spheres", picture::palette::calm[1], picture::palette::yellow}}));
   return row;
 }
 

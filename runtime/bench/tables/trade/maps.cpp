@@ -5,6 +5,7 @@
 #include "meet/bench/tables/trade/cells.hpp"
 #include "meet/bench/truth/distance.hpp"
 #include "meet/bench/truth/proved_distance.hpp"
+#include "meet/picture/palette.hpp"
 
 #include <fmt/format.h>
 
@@ -115,7 +116,11 @@ plot plot_of_maps(const std::string &title, const std::vector<trade_maps> &all) 
         shares.back() +=
             fmt::format("{} {} {:.4f}\n", i % m.columns.size(), m.bits[i / m.columns.size()], 100 * map.share[i]);
     }
+  std::string stops;
+  for (const picture::palette::stop &s : picture::palette::shares)
+    stops += fmt::format("{}{} '{}'", stops.empty() ? "" : ", ", s.at, picture::hexadecimal(s.ink));
   plot out("maps");
+  out.set("stops", stops);
   out.set("words", title).set("rows", static_cast<double>(all.size()));
   out.set("across", static_cast<double>(titles.size() / std::max<std::size_t>(all.size(), 1)));
   out.list("titles", titles).list("x_words", words).list("ticks", ticks).list("columns", widths);

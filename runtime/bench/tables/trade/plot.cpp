@@ -1,5 +1,6 @@
 // The picture of `meet trade`: speed across, error upwards.
 #include "meet/bench/tables/trade/tables.hpp"
+#include "meet/picture/palette.hpp"
 
 #include <fmt/format.h>
 
@@ -12,13 +13,10 @@ namespace meetc::bench {
 
 namespace {
 
-// The predicates in the picture, by colour; all are in the table.
-struct drawn {
-  std::string_view predicate;
-  unsigned colour;
-};
-constexpr std::array subjects{drawn{"triangle_triangle", 0x245ca8}, drawn{"segment_triangle", 0x22884c},
-                              drawn{"sphere_sphere", 0xce2e26}, drawn{"ball_ball", 0xc07a00}};
+// The predicates in the picture, each in the palette's colour of its place; all are in the table.
+constexpr std::array<std::string_view, 4> subjects{"triangle_triangle", "segment_triangle", "sphere_sphere",
+                                                   "ball_ball"};
+static_assert(subjects.size() <= picture::palette::series.size());
 
 // The methods, by gnuplot's shapes.
 struct mark {
@@ -57,7 +55,8 @@ template <class Test> bool any_point(const std::vector<trade_cell> &all, const T
 
 // Adds the points of one predicate on one family. The line of what is proved goes through the plain rungs of the processor.
 void add_points(const trade_cell &c, std::size_t subject, std::string &marks, std::string &proved) {
-  const unsigned colour = subjects.at(subject).colour;
+  const picture::colour ink = picture::palette::series.at(subject);
+  const int colour = ink.r << 16 | ink.g << 8 | ink.b;
   for (const trade_point &p : c.result.points) {
     const double x = 1e9 * p.seconds;
     for (const mark &m : all_marks)
@@ -78,16 +77,16 @@ plot plot_of_trade(const std::string &about, const std::vector<trade_cell> &all)
     titles.emplace_back(), marks.emplace_back(), proved.emplace_back();
     for (std::size_t i = 0; i < subjects.size(); ++i)
       for (const trade_cell &c : all)
-        if (c.family == family && subjects.at(i).predicate == c.by->name) {
+        if (c.family == family && subjects.at(i) == c.by->name) {
           titles.back() = c.in_words;
           add_points(c, i, marks.back(), proved.back());
         }
     if (proved.back().ends_with("\n\n"))
       proved.back().pop_back(); // two empty lines would end the section
   }
-  for (const drawn &s : subjects) {
-    names.emplace_back(s.predicate);
-    colours.push_back(fmt::format("#{:06x}", s.colour));
+  for (std::size_t i = 0; i < subjects.size(); ++i) {
+    names.emplace_back(subjects.at(i));
+    colours.push_back(picture::hexadecimal(picture::palette::series.at(i)));
   }
   for (const mark &m : all_marks)
     if (any_point(all, [&m](const trade_point &p) { return p.method.name == m.method; })) {

@@ -9,15 +9,14 @@ function count(page) {
   const pixels = new Uint8Array(4 * w * h);
   gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
   const back = stage.scene.background.getHex(), r0 = back >> 16, g0 = (back >> 8) & 255, b0 = back & 255;
-  const out = { all: w * h, back: 0, yellow: 0, pink: 0, orange: 0, curve: 0, other: 0 };
+  const out = { all: w * h, back: 0, yellow: 0, vermilion: 0, curve: 0, other: 0 };
   for (let i = 0; i < pixels.length; i += 4) {
     const [r, g, b] = pixels.subarray(i, i + 3), most = Math.max(r, g, b), least = Math.min(r, g, b);
     if (r === r0 && g === g0 && b === b0) ++out.back;
     else if (most - least < 0.5 * most) ++out.other;
     else if (b === most && b - r > 60) ++out.curve;
-    else if (r === most && b > 1.2 * g) ++out.pink;
     else if (r === most && g > 0.68 * r) ++out.yellow;
-    else if (r === most) ++out.orange;
+    else if (r === most) ++out.vermilion;
     else ++out.other;
   }
   out.corner = [...pixels.subarray(0, 3)];

@@ -12,7 +12,11 @@ export class Views {
   save() {
     this.kept.push(this.now());
     this.write();
-    history.replaceState(null, '', `#view=${this.now()}`);
+    try {
+      history.replaceState(null, '', `#view=${this.now()}`);
+    } catch {
+      // a page in a frame of another one has no address
+    }
   }
   write() {
     try {

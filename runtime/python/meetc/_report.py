@@ -1,0 +1,104 @@
+"""Pages for a browser, and for a cell of Jupyter."""
+
+from __future__ import annotations
+
+import html
+import json
+import os
+import re
+import tempfile
+from dataclasses import dataclass
+
+import numpy as np
+
+from meetc import _arrays, _native
+from meetc._asked import ask
+from meetc._errors import InputError
+from meetc._set import Set, as_set
+from meetc._types import Meshlike, Precision
+
+
+@dataclass(frozen=True, repr=False)
+class Report:
+    """A page that shows a collision: one HTML file, which needs no network. In Jupyter a cell shows it."""
+
+    html: str  #: the page
+
+    @property
+    def title(self) -> str:
+        """The names of the sets."""
+        found = re.search(r'"title":("(?:[^"\\]|\\.)*")', self.html)
+        return str(json.loads(found[1])) if found else ""
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes the page. Where that fails, there is no new file, and an old one is as it was."""
+        name = os.fsdecode(path)
+        if os.path.splitext(name)[1].lower() not in (".html", ".htm"):
+            better = os.path.splitext(name)[0] + ".html"
+            raise InputError(f"path: {name!r} is no name of a page; name it {better!r}", array="path", value=name)
+        folder, own = os.path.split(name)
+        handle, temporary = tempfile.mkstemp(prefix=own, dir=folder or ".")
+        try:
+            with open(handle, "w", encoding="utf-8", newline="") as file:
+                file.write(self.html)
+            mask = os.umask(0)
+            os.umask(mask)
+            os.chmod(temporary, 0o666 & ~mask)
+            os.replace(temporary, name)
+        except BaseException:
+            os.unlink(temporary)
+            raise
+
+    def __repr__(self) -> str:
+        return f"<meetc.Report: {self.title}, {len(self.html.encode()) / 1e6:.1f} MB>"
+
+    def _repr_html_(self) -> str:
+        return (
+            f'<iframe srcdoc="{html.escape(self.html)}" title="{html.escape(self.title)}" '
+            'style="width: 100%; height: 600px; border: 0" allowfullscreen></iframe>'
+        )
+
+
+def report(
+    a: Meshlike, b: Meshlike | None = None, *, precision: Precision = "certified", merge: bool = True, threads: int = 0
+) -> Report:
+    """A page on which a collision is looked at: both sets, the elements that touch, where they meet, the list of pairs.
+
+    Without `b` it shows where the mesh `a` crosses itself, as self_pairs(a, merge=merge) finds it. The page is that of
+    `meet collide --report`.
+
+        page = meetc.report(a, b)
+        page                            # in Jupyter
+        page.save("touching.html")
+    """
+    if b is None:
+        return _of_one(a, precision, merge, threads)
+    asked = ask(a, b, precision, threads)
+    parts = asked.of_elements().question().pairs(False)
+    items = asked.question().pairs(asked.turned)
+    other = None if asked.b is asked.a else _as_side(asked.b, "B")
+    page = _native.page_of_two(
+        _as_side(asked.a, "A"), other, asked.predicate, asked.turned, precision, items, parts, asked.threads
+    )
+    return Report(page.decode())
+
+
+def _of_one(mesh: Meshlike, precision: Precision, merge: bool, threads: int) -> Report:
+    if precision != "certified":
+        raise InputError(f"precision: {precision!r} goes with two sets; a mesh with itself is certified", value=precision)
+    threads = _arrays.require_threads(threads)
+    of = as_set(mesh, "a", threads)
+    if of.kind != "triangle":
+        raise InputError(f"a: its elements are of kind {of.kind}, not triangles; name a second set", array="a", value=of.kind)
+    source = of._source
+    parts, _ = _native.self_pairs(of._ready, source.numbers, source.corners, source.owner, bool(merge), threads)
+    items = parts if source.owner is None else np.unique(source.items_of(parts), axis=0)
+    return Report(_native.page_of_one(_as_side(of, "A"), bool(merge), items, parts, threads).decode())
+
+
+def _as_side(of: Set, letter: str) -> _native._Side:
+    s = of._source
+    return (
+        s.native_kind(), s.numbers, s.corners, s.owner, s.items, of._pose, of.name or letter, s.rounded.numbers,
+        s.rounded.largest, list(s.notes),
+    )
