@@ -15,6 +15,7 @@
 #define MEETC_CORE_CONTACTS_CONTACTS_HPP
 
 #include "meet/core/answers/answers.hpp"
+#include "meet/core/threads/cancelled.hpp"
 #include "meet/core/views/pose.hpp"
 #include "meet/core/views/view.hpp"
 #include "meetc/contact/code.hpp"
@@ -23,6 +24,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -105,13 +107,15 @@ template <class Real> struct contact_set {
 struct contact_options {
   pose at_a = {}, at_b = {}; // those with which the sets were prepared
   int threads = 0;           // 0: all cores
+  std::stop_token stop = {}; // as in collide_options
 };
 
 // The contacts of pairs of elements of two views, for Real float or double. `predicate` decided the pairs: its kinds are those
 // of the views, and its scene asks for the sign that tells contacts (predicate_info::contacts is not null). Elements that are
 // apart have no contact. Memory grows with the pairs, and by four bytes for each element of the views. Throws
 // std::invalid_argument (a predicate without contacts, a bad view or pose), std::out_of_range (a pair of elements that are not
-// there), input_error (a bad element of a pair), std::length_error or std::bad_alloc.
+// there), input_error (a bad element of a pair), std::length_error, std::bad_alloc or
+// `cancelled`.
 template <class Real = float>
 contact_set<Real> contacts(const view &a, const view &b, const predicate_info &predicate,
                            std::span<const index_pair> pairs, const contact_options &options = {});
