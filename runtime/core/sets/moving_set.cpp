@@ -1,6 +1,5 @@
 #include "meet/core/sets/moving_set.hpp"
 
-#include "meet/core/answers/answers.hpp"
 #include "meet/core/sets/element_set.hpp"
 #include "meet/core/threads/threads.hpp"
 #include "meet/core/views/rows.hpp"
@@ -15,6 +14,8 @@ namespace {
 // A vertex of the elements, as a row.
 constexpr role xyz[3] = {role::x, role::y, role::z};
 constexpr kind_info point{"point", "x,y,z", 3, xyz, 1, nullptr, nullptr};
+
+constexpr std::uint32_t no_place = ~std::uint32_t{0}; // of a vertex that no element has
 
 double mean_width(const level &l) {
   return std::accumulate(std::begin(l.widths), std::end(l.widths), 0.0) / static_cast<double>(l.boxes);
@@ -48,12 +49,12 @@ void moving_set::put_in_order(const view &elements, const kind_info &kind, const
     std::vector<std::uint32_t> used, index;
     if (elements.index) {
       const auto points = static_cast<std::size_t>(kind.points);
-      std::vector<std::uint32_t> place(vertices_, no_element); // of each vertex among those that are used
+      std::vector<std::uint32_t> place(vertices_, no_place); // of each vertex among those that are used
       index.resize(elements.elements * points);
       for_strips({1, stop}, elements.elements, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin * points; i < end * points; ++i) {
           const std::uint32_t vertex = elements.index[next.set().order[i / points] * points + i % points];
-          if (place[vertex] == no_element) {
+          if (place[vertex] == no_place) {
             place[vertex] = static_cast<std::uint32_t>(used.size());
             used.push_back(vertex);
           }
