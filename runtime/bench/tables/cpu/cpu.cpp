@@ -21,7 +21,8 @@ struct family {
   void (*measure)(const cpu_context &, cpu_result &);
 };
 constexpr std::array families{family{"precision", measure_precision}, family{"candidates", measure_candidates},
-                              family{"balls", measure_balls}, family{"bodies", measure_moved_bodies},
+                              family{"balls", measure_balls},         family{"bodies", measure_moved_bodies},
+                              family{"refit", measure_refit},         family{"cancel", measure_cancelling},
                               family{"families", measure_families}};
 
 constexpr const char *rules =
