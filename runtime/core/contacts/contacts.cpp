@@ -66,9 +66,9 @@ private:
 
   void name_nodes() {
     const part_names names_a(out_.rows_a, on_), names_b(out_.rows_b, on_);
-    numbered<std::uint64_t, 2> nodes(2 * out_.pairs.size());
+    numbered<std::uint64_t, 2> nodes(2 * out_.pairs.size(), on_);
     for (std::size_t i = 0; i < out_.pairs.size(); ++i) {
-      if ((i & 0xfff) == 0)
+      if ((i & 0x3ff) == 0)
         on_.go_on();
       const contact_code code(out_.codes[i]);
       for (int l = 0; l < code.labels(); ++l) {

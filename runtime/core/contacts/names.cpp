@@ -48,7 +48,7 @@ namespace {
 // By row, the first one with the same key.
 template <std::size_t N, class Key>
 std::vector<std::uint32_t> first_equal(std::size_t rows, const execution &on, const Key &key) {
-  numbered<std::uint32_t, N> keys(rows);
+  numbered<std::uint32_t, N> keys(rows, on);
   std::vector<std::uint32_t> first_of, out; // by key; by row
   for_strips(on, rows, [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
@@ -73,7 +73,7 @@ part_names::part_names(const touched_rows &of, const execution &on) : of_(of) {
   }
   const auto corners = static_cast<std::size_t>(of.corners);
   const std::size_t n = of.elements.size() * corners;
-  numbered<std::uint32_t, 3> points(n);
+  numbered<std::uint32_t, 3> points(n, on);
   vertices_.reserve(n);
   for_strips(on, n, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)

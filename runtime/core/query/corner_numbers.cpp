@@ -13,9 +13,9 @@ namespace {
 // Numbers for vertices, in the order in which they are asked, so that neighbours in space have near numbers.
 class numbering {
 public:
-  numbering(const element_set &set, std::size_t vertices, bool merge)
+  numbering(const element_set &set, std::size_t vertices, bool merge, const execution &on)
       : rows_(set.rows), merge_(merge), numbers_(vertices, no_element),
-        points_(merge ? std::min(vertices, 3 * set.elements) : 0) {}
+        points_(merge ? std::min(vertices, 3 * set.elements) : 0, on) {}
 
   // The number of a vertex, which is a corner at this place in the rows.
   std::uint32_t of(std::uint32_t vertex, std::uint32_t place) {
@@ -49,7 +49,7 @@ corner_numbers numbers_of_corners(const element_set &set, const view &elements, 
           throw std::out_of_range("the index names a vertex that is not there");
       }
   });
-  numbering number(set, vertices, merge);
+  numbering number(set, vertices, merge, on);
   for_strips(on, set.elements, [&](std::size_t begin, std::size_t end) {
     for (std::size_t slot = begin; slot < end; ++slot)
       for (std::size_t c = 0; c < 3; ++c)

@@ -84,7 +84,7 @@ set_topology topology_of(const element_set &set, const execution &on) {
   set_topology out;
   if (hull == 0)
     return out;
-  numbered<std::uint32_t, 3> points(set.elements);
+  numbered<std::uint32_t, 3> points(set.elements, on);
   std::vector<std::uint32_t> corners(set.elements * hull);
   std::vector<set_topology::corner> first; // the corner that gave each point its number
   for_strips(on, corners.size(), [&](std::size_t begin, std::size_t end) {

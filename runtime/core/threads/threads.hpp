@@ -90,7 +90,7 @@ template <class Body> void for_chunks(const execution &on, std::size_t n, std::s
 
 // Calls body(begin, end) for strips of [0, n) one after another, on this thread: a loop that may be cancelled.
 template <class Body> void for_strips(const execution &on, std::size_t n, const Body &body) {
-  constexpr std::size_t strip = std::size_t{1} << 16;
+  constexpr std::size_t strip = std::size_t{1} << 14;
   for (std::size_t begin = 0; begin < n; begin += strip) {
     on.go_on();
     body(begin, std::min(n, begin + strip));
