@@ -53,7 +53,8 @@ meetc::view view_of(const meetc::io::element_set &s) {
           .elements = s.elements};
 }
 
-// Compares the curves of two meshes in general position. Returns the number of pairs, or nothing where a mesh is not embedded or no manifold.
+// Compares the curves of two meshes in general position. Returns the number of pairs, or nothing where a mesh is not embedded
+// or no manifold.
 std::optional<std::size_t> same_curves(const meetc::io::element_set &a, const meetc::io::element_set &b) {
   const meetc::predicate_info &touch = predicate(3);
   const meetc::self_predicates by{touch, meetc::find_predicate(neighbours::catalogue(), "beyond_corner"),

@@ -9,16 +9,17 @@ namespace meetc {
 
 class element_pairs final : public query_answer {
 public:
-  void start(const queried_sets &sets) override { lists_.resize(static_cast<std::size_t>(sets.workers)); }
+  void start(const queried_sets &sets) override {
+    on_ = sets.on;
+    lists_.resize(static_cast<std::size_t>(on_.threads));
+  }
   void take(int worker, const index_pair *hits, std::size_t n) override {
     lists_[static_cast<std::size_t>(worker)].add(hits, n);
   }
-  void finish(result &r) override {
-    const int threads = static_cast<int>(lists_.size());
-    r.pairs = sorted(std::move(lists_), threads);
-  }
+  void finish(result &r) override { r.pairs = sorted(std::move(lists_), on_); }
 
 private:
+  execution on_ = 1;
   std::vector<pair_list> lists_; // by worker
 };
 

@@ -24,6 +24,7 @@ private:
     std::size_t compact_at = first_compaction;
   };
   answer_kind want_;
+  execution on_ = 1;
   std::span<const std::uint32_t> owner_a_, owner_b_;
   std::size_t items_a_ = 0, items_b_ = 0;
   std::vector<list> lists_; // by worker

@@ -66,15 +66,15 @@ void pair_list::add(const index_pair *pairs, std::size_t n) {
   }
 }
 
-std::vector<index_pair> sorted(std::vector<pair_list> lists, int threads) {
+std::vector<index_pair> sorted(std::vector<pair_list> lists, const execution &on) {
   std::vector<pair_span> pieces;
   for (const pair_list &l : lists)
     for (const pair_list::piece &p : l.pieces_)
       pieces.emplace_back(p.pairs(), p.size);
-  return sorted(pieces, threads);
+  return sorted(pieces, on);
 }
 
-std::vector<index_pair> sorted(std::span<const pair_span> lists, int threads) {
+std::vector<index_pair> sorted(std::span<const pair_span> lists, const execution &on) {
   const equal_parts parts(lists);
   std::vector<index_pair> out;
   if (parts.size() < std::size_t{1} << 14) { // to start threads would take longer than to sort
@@ -84,7 +84,7 @@ std::vector<index_pair> sorted(std::span<const pair_span> lists, int threads) {
     return out;
   }
   std::vector<pair_key> keys(parts.count());
-  for_chunks(threads, parts.count(), 1, [&](int, std::size_t p, std::size_t) {
+  for_chunks(on, parts.count(), 1, [&](int, std::size_t p, std::size_t) {
     parts.each(p, [&](const index_pair *pairs, std::size_t n) {
       const pair_key k = key_of({pairs, n});
       keys[p] = {std::max(keys[p].bits_a, k.bits_a), std::max(keys[p].bits_b, k.bits_b)};
@@ -95,12 +95,11 @@ std::vector<index_pair> sorted(std::span<const pair_span> lists, int threads) {
     key = {std::max(key.bits_a, k.bits_a), std::max(key.bits_b, k.bits_b)};
   out.reserve(parts.size());
   wish_for_large_pages(out.data(), parts.size() * sizeof(index_pair));
-  out.resize(parts.size());
-  std::vector<owned_memory> rooms(static_cast<std::size_t>(threads));
+  for_strips(on, parts.size(), [&](std::size_t, std::size_t end) { out.resize(end); }); // which fills pages
+  std::vector<owned_memory> rooms(static_cast<std::size_t>(on.threads));
   std::vector<std::size_t> sizes(rooms.size());
   radix_sort_parts(
-      parts.count(), [&](std::size_t p, const auto &visit) { parts.each(p, visit); }, out.data(), key.bits(), threads,
-      key,
+      parts.count(), [&](std::size_t p, const auto &visit) { parts.each(p, visit); }, out.data(), key.bits(), on, key,
       [&](int worker, std::size_t, std::size_t n) {
         const auto w = static_cast<std::size_t>(worker);
         if (sizes[w] < n) {
@@ -113,10 +112,10 @@ std::vector<index_pair> sorted(std::span<const pair_span> lists, int threads) {
   return out;
 }
 
-void sort_pairs(std::vector<index_pair> &pairs) {
+void sort_pairs(std::vector<index_pair> &pairs, const execution &on) {
   const pair_key key = key_of(pairs);
   const owned_memory room = allocate(pairs.size() * sizeof(index_pair));
-  radix_sort(pairs.data(), static_cast<index_pair *>(room.get()), pairs.size(), key.bits(), key);
+  radix_sort(pairs.data(), static_cast<index_pair *>(room.get()), pairs.size(), key.bits(), key, on);
 }
 
 void drop_repeats(std::vector<index_pair> &sorted) {

@@ -2,6 +2,7 @@
 #ifndef MEETC_CORE_ANSWERS_PAIR_LIST_HPP
 #define MEETC_CORE_ANSWERS_PAIR_LIST_HPP
 
+#include "meet/core/threads/threads.hpp"
 #include "meet/core/views/memory.hpp"
 #include "meetc/support.hpp"
 
@@ -17,7 +18,7 @@ public:
   void add(const index_pair *pairs, std::size_t n);
 
 private:
-  friend std::vector<index_pair> sorted(std::vector<pair_list> lists, int threads);
+  friend std::vector<index_pair> sorted(std::vector<pair_list> lists, const execution &on);
   struct piece {
     owned_memory memory;
     std::size_t size, room; // pairs
@@ -29,11 +30,11 @@ private:
 using pair_span = std::span<const index_pair>;
 
 // All pairs of all lists, by a, then b.
-std::vector<index_pair> sorted(std::vector<pair_list> lists, int threads);
-std::vector<index_pair> sorted(std::span<const pair_span> lists, int threads);
+std::vector<index_pair> sorted(std::vector<pair_list> lists, const execution &on);
+std::vector<index_pair> sorted(std::span<const pair_span> lists, const execution &on);
 
 // Sorts by a, then b, on one thread.
-void sort_pairs(std::vector<index_pair> &pairs);
+void sort_pairs(std::vector<index_pair> &pairs, const execution &on = 1);
 
 // Drops the repeats in a sorted list.
 void drop_repeats(std::vector<index_pair> &sorted);

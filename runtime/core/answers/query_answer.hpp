@@ -10,11 +10,11 @@
 
 namespace meetc {
 
-// The sets whose rows the query reads, and the largest number of workers that call take().
+// The sets whose rows the query reads, and on what it runs: as many workers at most call take().
 struct queried_sets {
   const element_set &a, &b;
   std::size_t elements_a, elements_b; // of the caller, of which the sets may hold some
-  int workers;
+  execution on;
 };
 
 class query_answer {
@@ -24,7 +24,8 @@ public:
   // Called once, before the first batch.
   virtual void start(const queried_sets &sets) = 0;
   // Takes n hits in any order: pairs of slots where by_slots() holds, else pairs of the caller's elements. If needs_pairs() is
-  // false, only n means something. A worker passes only its own number, and different workers call at the same time.
+  // false, only n means something. A worker passes only its own number, and different workers call at the same time. Loops
+  // that take long, here and in finish(), look at queried_sets::on.
   virtual void take(int worker, const index_pair *hits, std::size_t n) = 0;
   // Called once, after the last batch: fills its part of the result. Throws std::bad_alloc.
   virtual void finish(result &r) = 0;

@@ -28,7 +28,8 @@ void require_set(const view &elements, const kind_info &kind, const pose &at) {
 
 template <class Real> class finding {
 public:
-  finding(const predicate_info &predicate, std::span<const index_pair> pairs) : predicate_(predicate) {
+  finding(const predicate_info &predicate, std::span<const index_pair> pairs, const execution &on)
+      : predicate_(predicate), on_(on) {
     out_.pairs.assign(pairs.begin(), pairs.end());
   }
 
@@ -40,7 +41,7 @@ public:
     out_.points.resize(3 * out_.sources.size());
     steps.place_nodes(out_.sources, out_.points.data());
     place_witnesses(steps);
-    joined_contacts j = join_contacts(out_.codes, out_.corners, out_.nodes());
+    joined_contacts j = join_contacts(out_.codes, out_.corners, out_.nodes(), on_);
     out_.pieces = std::move(j.pieces);
     out_.polylines = std::move(j.polylines);
     out_.closed = std::move(j.closed);
@@ -52,22 +53,25 @@ public:
 
 private:
   const predicate_info &predicate_;
+  const execution &on_; // of what one thread does
   contact_set<Real> out_;
   std::vector<index_pair> rows_; // by pair
 
   void gather(const view &a, const view &b, const contact_options &options) {
     std::vector<std::uint32_t> in_a, in_b;
-    out_.rows_a = touched_by(a, *predicate_.a, options.at_a, out_.pairs, false, in_a);
-    out_.rows_b = touched_by(b, *predicate_.b, options.at_b, out_.pairs, true, in_b);
+    out_.rows_a = touched_by(a, *predicate_.a, options.at_a, out_.pairs, false, in_a, on_);
+    out_.rows_b = touched_by(b, *predicate_.b, options.at_b, out_.pairs, true, in_b, on_);
     rows_.reserve(in_a.size());
     for (std::size_t i = 0; i < in_a.size(); ++i)
       rows_.push_back({in_a[i], in_b[i]});
   }
 
   void name_nodes() {
-    const part_names names_a(out_.rows_a), names_b(out_.rows_b);
-    numbered<std::uint64_t, 2> nodes(2 * out_.pairs.size());
+    const part_names names_a(out_.rows_a, on_), names_b(out_.rows_b, on_);
+    numbered<std::uint64_t, 2> nodes(2 * out_.pairs.size(), on_);
     for (std::size_t i = 0; i < out_.pairs.size(); ++i) {
+      if ((i & 0x3ff) == 0)
+        on_.go_on();
       const contact_code code(out_.codes[i]);
       for (int l = 0; l < code.labels(); ++l) {
         const unsigned label = code.label(l);
@@ -116,9 +120,10 @@ bool same_mesh(const view &a, const view &b) {
          a.elements == b.elements;
 }
 bool is_embedded(const view &mesh, const kind_info &kind, const pose &at, const contact_options &options) {
-  const prepared set = prepare(mesh, kind, at, options.threads);
+  const prepared set = prepare(mesh, kind, at, options.threads, nullptr, options.stop);
   self_options quietly;
   quietly.threads = options.threads;
+  quietly.stop = options.stop;
   const self_result crossing = self_pairs(set, mesh, *options.embedded_by, quietly);
   return crossing.pairs.empty() && crossing.degenerate.empty();
 }
@@ -143,7 +148,7 @@ contact_set<Real> contacts_by(contact_steps<Real> &steps, const view &a, const v
     if (options.embedded_by)
       require(predicate.a == options.embedded_by->apart.a && predicate.b == predicate.a,
               "embedded_by goes with two sets of triangles");
-    contact_set<Real> out = finding<Real>(predicate, pairs).run(steps, a, b, options);
+    contact_set<Real> out = finding<Real>(predicate, pairs, {1, options.stop}).run(steps, a, b, options);
     if (options.embedded_by)
       out.embedded = find_embedding(a, b, options);
     out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -154,7 +159,7 @@ contact_set<Real> contacts_by(contact_steps<Real> &steps, const view &a, const v
 template <class Real>
 contact_set<Real> contacts(const view &a, const view &b, const predicate_info &predicate,
                            std::span<const index_pair> pairs, const contact_options &options) {
-  steps_on_cpu<Real> steps(predicate, options.threads);
+  steps_on_cpu<Real> steps(predicate, execution_on(options.threads, options.stop));
   return contacts_by(steps, a, b, predicate, pairs, options);
 }
 

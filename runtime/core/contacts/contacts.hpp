@@ -16,6 +16,7 @@
 
 #include "meet/core/answers/answers.hpp"
 #include "meet/core/query/self_pairs.hpp"
+#include "meet/core/threads/cancelled.hpp"
 #include "meet/core/views/pose.hpp"
 #include "meet/core/views/view.hpp"
 #include "meetc/contact/code.hpp"
@@ -24,6 +25,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -108,6 +110,7 @@ template <class Real> struct contact_set {
 struct contact_options {
   pose at_a = {}, at_b = {}; // those with which the sets were prepared
   int threads = 0;           // 0: all cores
+  std::stop_token stop = {}; // as in collide_options
   // The predicates that tell, at the cost of self_pairs() for each mesh, whether both are embedded. Null: it stays unchecked.
   const self_predicates *embedded_by = nullptr;
 };
@@ -117,7 +120,7 @@ struct contact_options {
 // apart have no contact. Memory grows with the pairs, and by four bytes for each element of the views. Throws
 // usage_error (a predicate without contacts, a bad view or pose, embedded_by for sets that are no triangles),
 // std::out_of_range (a pair of elements that are not there), input_error (a bad element of a pair, or with embedded_by of a
-// view), std::length_error or std::bad_alloc.
+// view), std::length_error, std::bad_alloc or `cancelled`.
 template <class Real = float>
 contact_set<Real> contacts(const view &a, const view &b, const predicate_info &predicate,
                            std::span<const index_pair> pairs, const contact_options &options = {});

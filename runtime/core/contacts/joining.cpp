@@ -14,21 +14,28 @@ enum : std::uint8_t { crossing = 1, in_plane = 2, patch_side = 4 };
 
 class joining {
 public:
-  joining(const node_lists &corners, std::size_t nodes) : corners_(corners), nodes_(nodes), keys_(corners.size()) {}
+  joining(const node_lists &corners, std::size_t nodes, const execution &on)
+      : corners_(corners), nodes_(nodes), on_(on), keys_(corners.size(), on) {}
 
   joined_contacts run(std::span<const std::uint64_t> codes) {
     std::vector<std::uint8_t> used(nodes_, 0);
-    for (std::size_t i = 0; i < codes.size(); ++i)
-      take(contact_code(codes[i]), corners_[i], static_cast<std::uint32_t>(i), used);
-    for (std::size_t k = 0; k < reports_.size(); ++k)
-      if ((reports_[k] & crossing) != 0 || reports_[k] == in_plane) {
-        out_.pieces.push_back(directed_[k]);
-        for (const std::uint32_t node : directed_[k])
-          used[node] = 1;
-      }
-    for (std::uint32_t n = 0; n < nodes_; ++n)
-      if (!used[n])
-        out_.single_nodes.push_back(n);
+    for_strips(on_, codes.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        take(contact_code(codes[i]), corners_[i], static_cast<std::uint32_t>(i), used);
+    });
+    for_strips(on_, reports_.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k)
+        if ((reports_[k] & crossing) != 0 || reports_[k] == in_plane) {
+          out_.pieces.push_back(directed_[k]);
+          for (const std::uint32_t node : directed_[k])
+            used[node] = 1;
+        }
+    });
+    for_strips(on_, nodes_, [&](std::size_t begin, std::size_t end) {
+      for (auto n = static_cast<std::uint32_t>(begin); n < end; ++n)
+        if (!used[n])
+          out_.single_nodes.push_back(n);
+    });
     chain();
     return std::move(out_);
   }
@@ -36,6 +43,7 @@ public:
 private:
   const node_lists &corners_;
   std::size_t nodes_;
+  const execution &on_;
   numbered<std::uint32_t, 2> keys_;
   std::vector<std::uint8_t> reports_; // by key
   std::vector<piece> directed_;       // by key: as it was first reported by a pair that meets in it
@@ -71,23 +79,29 @@ private:
 
   void chain() {
     begin_.assign(nodes_ + 1, 0);
-    for (const piece &p : out_.pieces)
-      for (const std::uint32_t node : p)
-        ++begin_[node + 1];
+    for_strips(on_, out_.pieces.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        for (const std::uint32_t node : out_.pieces[i])
+          ++begin_[node + 1];
+    });
     for (std::size_t n = 0; n < nodes_; ++n)
       begin_[n + 1] += begin_[n];
     at_.resize(2 * out_.pieces.size());
     std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-    for (std::uint32_t i = 0; i < out_.pieces.size(); ++i)
-      for (const std::uint32_t node : out_.pieces[i])
-        at_[next[node]++] = i;
+    for_strips(on_, out_.pieces.size(), [&](std::size_t begin, std::size_t end) {
+      for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
+        for (const std::uint32_t node : out_.pieces[i])
+          at_[next[node]++] = i;
+    });
     done_.assign(out_.pieces.size(), 0);
     for (const bool loops : {false, true}) // chains from their ends and branch points first
-      for (std::uint32_t n = 0; n < nodes_; ++n)
-        if (loops || degree(n) != 2)
-          for (std::uint32_t i = begin_[n]; i < begin_[n + 1]; ++i)
-            if (!done_[at_[i]])
-              follow(n, at_[i]);
+      for_strips(on_, nodes_, [&](std::size_t begin, std::size_t end) {
+        for (auto n = static_cast<std::uint32_t>(begin); n < end; ++n)
+          if (loops || degree(n) != 2)
+            for (std::uint32_t i = begin_[n]; i < begin_[n + 1]; ++i)
+              if (!done_[at_[i]])
+                follow(n, at_[i]);
+      });
   }
 
   // The polyline from the node along the piece, to the next end or branch point or back to the node.
@@ -118,8 +132,9 @@ private:
 
 } // namespace
 
-joined_contacts join_contacts(std::span<const std::uint64_t> codes, const node_lists &corners, std::size_t nodes) {
-  return joining(corners, nodes).run(codes);
+joined_contacts join_contacts(std::span<const std::uint64_t> codes, const node_lists &corners, std::size_t nodes,
+                              const execution &on) {
+  return joining(corners, nodes, on).run(codes);
 }
 
 } // namespace meetc

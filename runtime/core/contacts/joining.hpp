@@ -4,6 +4,7 @@
 #define MEETC_CORE_CONTACTS_JOINING_HPP
 
 #include "meet/core/contacts/contacts.hpp"
+#include "meet/core/threads/threads.hpp"
 
 namespace meetc {
 
@@ -14,7 +15,8 @@ struct joined_contacts {
   std::vector<std::uint8_t> closed;
   std::vector<std::uint32_t> patch_pairs, single_nodes;
 };
-joined_contacts join_contacts(std::span<const std::uint64_t> codes, const node_lists &corners, std::size_t nodes);
+joined_contacts join_contacts(std::span<const std::uint64_t> codes, const node_lists &corners, std::size_t nodes,
+                              const execution &on);
 
 } // namespace meetc
 

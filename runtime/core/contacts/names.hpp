@@ -3,17 +3,18 @@
 #define MEETC_CORE_CONTACTS_NAMES_HPP
 
 #include "meet/core/contacts/contacts.hpp"
+#include "meet/core/threads/threads.hpp"
 
 namespace meetc {
 
 // The elements of one side of the pairs, as rows in the order of the elements. `in`: by pair, the element's row.
 touched_rows touched_by(const view &elements, const kind_info &kind, const pose &at, std::span<const index_pair> pairs,
-                        bool side_b, std::vector<std::uint32_t> &in);
+                        bool side_b, std::vector<std::uint32_t> &in, const execution &on);
 
 // The vertices of the rows, and the first row with the same three, or with the same centre and radius.
 class part_names {
 public:
-  explicit part_names(const touched_rows &of);
+  part_names(const touched_rows &of, const execution &on);
 
   // Two parts of rows have one name if and only if they have the same vertices, or are the same part of equal balls.
   std::uint64_t name(std::uint32_t row, int carrier) const;

@@ -4,6 +4,7 @@
 #define MEETC_CORE_CONTACTS_STEPS_HPP
 
 #include "meet/core/contacts/contacts.hpp"
+#include "meet/core/threads/threads.hpp"
 
 namespace meetc {
 
@@ -21,7 +22,7 @@ public:
 
 template <class Real> class steps_on_cpu final : public contact_steps<Real> {
 public:
-  steps_on_cpu(const predicate_info &by, int threads);
+  steps_on_cpu(const predicate_info &by, execution on);
   void find_codes(const touched_rows &a, const touched_rows &b, std::span<const index_pair> pairs,
                   std::uint64_t *codes) override;
   void place_nodes(std::span<const node_source> nodes, Real *points) override;
@@ -29,7 +30,7 @@ public:
 
 private:
   const predicate_info &by_;
-  int threads_;
+  execution on_;
   const touched_rows *a_ = nullptr, *b_ = nullptr;
 };
 

@@ -19,9 +19,9 @@ template <class T> void upload(const device_buffers &buffers, device_memory<T> &
 
 template <class Real> class steps_there final : public contact_steps<Real> {
 public:
-  steps_there(const device &on, const predicate_info &predicate, int threads, device_contact_work &work)
-      : buffers_(on.buffers()), by_(launchers_of(on.kernels(), predicate).pairs.contacts), here_(predicate, threads),
-        work_(work) {}
+  steps_there(const device &on, const predicate_info &predicate, execution on_host, device_contact_work &work)
+      : buffers_(on.buffers()), by_(launchers_of(on.kernels(), predicate).pairs.contacts),
+        here_(predicate, std::move(on_host)), work_(work) {}
 
   void find_codes(const touched_rows &a, const touched_rows &b, std::span<const index_pair> pairs,
                   std::uint64_t *codes) override {
@@ -119,7 +119,7 @@ contact_set<Real> contacts(const device &on, const view &a, const view &b, const
   if (!predicate.contacts || !launchers_of(on.kernels(), predicate).pairs.contacts)
     return contacts<Real>(a, b, predicate, pairs, options);
   const auto lock = on.use();
-  steps_there<Real> steps(on, predicate, options.threads, work ? *work : unasked);
+  steps_there<Real> steps(on, predicate, execution_on(options.threads, options.stop), work ? *work : unasked);
   return contacts_by(steps, a, b, predicate, pairs, options);
 }
 

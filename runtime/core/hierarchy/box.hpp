@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 namespace meetc {
@@ -52,6 +53,37 @@ struct alignas(64) box_block {
       for (int i = 0; i < lanes; ++i)
         make_finite(lo[k][i], hi[k][i]);
     clear(filled);
+  }
+  // Turns the ends lo[3] and hi[3] of four boxes into the lanes from `lane` on.
+  void turn(const float *ends, int lane) {
+    typedef float four __attribute__((vector_size(16)));
+    const auto columns = [](const float *at, float *const(&to)[4]) {
+      four r[4];
+      for (int i = 0; i < 4; ++i)
+        std::memcpy(&r[i], at + 6 * i, sizeof r[i]);
+      const four x = __builtin_shufflevector(r[0], r[1], 0, 4, 1, 5),
+                 y = __builtin_shufflevector(r[2], r[3], 0, 4, 1, 5),
+                 z = __builtin_shufflevector(r[0], r[1], 2, 6, 3, 7),
+                 w = __builtin_shufflevector(r[2], r[3], 2, 6, 3, 7);
+      const four out[4] = {__builtin_shufflevector(x, y, 0, 1, 4, 5), __builtin_shufflevector(x, y, 2, 3, 6, 7),
+                           __builtin_shufflevector(z, w, 0, 1, 4, 5), __builtin_shufflevector(z, w, 2, 3, 6, 7)};
+      for (int k = 0; k < 4; ++k)
+        std::memcpy(to[k], &out[k], sizeof out[k]);
+    };
+    columns(ends, {lo[0] + lane, lo[1] + lane, lo[2] + lane, hi[0] + lane});
+    columns(ends + 2, {lo[2] + lane, hi[0] + lane, hi[1] + lane, hi[2] + lane});
+  }
+  // Takes the ends lo[3] and hi[3] of one box after another into the first lanes, and makes them finite; the others become
+  // empty.
+  void take(const float *ends, int filled) {
+    constexpr int sides = 6;
+    if (filled == lanes)
+      for (int i = 0; i < lanes; i += 4)
+        turn(ends + sides * i, i);
+    else
+      for (int i = 0; i < filled; ++i, ends += sides)
+        set(i, {{ends[0], ends[1], ends[2]}, {ends[3], ends[4], ends[5]}});
+    sanitise(filled);
   }
   void set(int lane, const box &b) {
     for (int k = 0; k < 3; ++k) {

@@ -1,7 +1,5 @@
 #include "meet/core/hierarchy/hierarchy.hpp"
 
-#include "meet/core/threads/threads.hpp"
-
 #include <mutex>
 
 namespace meetc {
@@ -26,31 +24,48 @@ hierarchy take_hierarchy(bump_allocator &from, std::size_t n) {
 }
 
 void add_widths(const box_block &block, std::size_t filled, double widths[3]) {
-  for (int k = 0; k < 3; ++k)
-    for (std::size_t i = 0; i < filled; ++i)
-      widths[k] += static_cast<double>(block.hi[k][i]) - static_cast<double>(block.lo[k][i]);
+  constexpr int sums = 4; // which do not wait for each other
+  for (int k = 0; k < 3; ++k) {
+    double sum[sums] = {};
+    std::size_t i = 0;
+    for (; i + sums <= filled; i += sums)
+      for (std::size_t s = 0; s < sums; ++s)
+        sum[s] += static_cast<double>(block.hi[k][i + s]) - static_cast<double>(block.lo[k][i + s]);
+    for (; i < filled; ++i)
+      sum[0] += static_cast<double>(block.hi[k][i]) - static_cast<double>(block.lo[k][i]);
+    widths[k] += (sum[0] + sum[1]) + (sum[2] + sum[3]);
+  }
 }
 
-void enclose(hierarchy &h, int threads) {
+void enclose(hierarchy &h, const execution &on) {
   std::mutex lock;
-  for (int k = 0; k < h.depth; ++k) {
-    level &here = h.levels[k];
-    std::fill_n(here.widths, 3, 0.0);
-    for_chunks(threads, here.count(), 256, [&](int, std::size_t begin, std::size_t end) {
+  // The boxes of a level are read once, for the sums of their widths and for the boxes around them.
+  const auto add = [&](level &to, const double widths[3]) {
+    const std::scoped_lock hold(lock);
+    for (int axis = 0; axis < 3; ++axis)
+      to.widths[axis] += widths[axis];
+  };
+  for (int k = 0; k < h.depth; ++k)
+    std::fill_n(h.levels[k].widths, 3, 0.0);
+  for (int k = 1; k < h.depth; ++k) {
+    level &here = h.levels[k], &below = h.levels[k - 1];
+    for_chunks(on, here.count(), lanes, [&](int, std::size_t begin, std::size_t end) {
       double widths[3] = {0, 0, 0};
       for (std::size_t i = begin; i < end; ++i) {
-        if (k > 0) {
-          const level &below = h.levels[k - 1];
-          here.blocks[i].clear();
-          for (std::size_t child = i * lanes; child < std::min(here.boxes, (i + 1) * lanes); ++child)
-            here.blocks[i].set(static_cast<int>(child % lanes), below.blocks[child].around());
+        here.blocks[i].clear();
+        for (std::size_t child = i * lanes; child < std::min(here.boxes, (i + 1) * lanes); ++child) {
+          here.blocks[i].set(static_cast<int>(child % lanes), below.blocks[child].around());
+          add_widths(below.blocks[child], below.filled(child), widths);
         }
-        add_widths(here.blocks[i], here.filled(i), widths);
       }
-      const std::scoped_lock hold(lock);
-      for (int axis = 0; axis < 3; ++axis)
-        here.widths[axis] += widths[axis];
+      add(below, widths);
     });
+  }
+  if (h.depth > 0) {
+    double widths[3] = {0, 0, 0};
+    level &top = h.levels[h.depth - 1];
+    add_widths(top.blocks[0], top.filled(0), widths);
+    add(top, widths);
   }
 }
 

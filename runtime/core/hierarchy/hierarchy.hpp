@@ -7,6 +7,7 @@
 #define MEETC_CORE_HIERARCHY_HIERARCHY_HPP
 
 #include "meet/core/hierarchy/box.hpp"
+#include "meet/core/threads/threads.hpp"
 #include "meet/core/views/memory.hpp"
 
 namespace meetc {
@@ -39,7 +40,7 @@ void add_widths(const box_block &block, std::size_t filled, double widths[3]);
 
 // Fills every level above level 0, and the sums of all widths. The blocks of level 0 must be full or end in empty
 // lanes.
-void enclose(hierarchy &h, int threads);
+void enclose(hierarchy &h, const execution &on);
 
 } // namespace meetc
 

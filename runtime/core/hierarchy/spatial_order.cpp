@@ -94,34 +94,40 @@ constexpr auto place_of = [](std::uint64_t key) { return key >> 32; };
 
 // Gives runs that share a cell and do not fit into a block a grid of their own. The extent shrinks by about 1024 each
 // time, from at most 2^129 to at least 2^-150, so at most some thirty grids are nested.
-void refine(const centre *centres, std::uint64_t *keys, std::uint64_t *scratch, std::size_t n) {
+void refine(const centre *centres, std::uint64_t *keys, std::uint64_t *scratch, std::size_t n, const execution &on) {
   for (std::size_t begin = 0, end; begin < n; begin = end) {
+    if ((begin & 0xfff) == 0)
+      on.go_on();
     for (end = begin + 1; end < n && keys[end] >> 32 == keys[begin] >> 32;)
       ++end;
     if (end - begin <= lanes)
       continue;
     centre_extent e;
-    for (std::size_t i = begin; i < end; ++i)
-      e.add(centres[static_cast<std::uint32_t>(keys[i])]);
+    for_strips(on, end - begin, [&](std::size_t from, std::size_t to) {
+      for (std::size_t i = from; i < to; ++i)
+        e.add(centres[static_cast<std::uint32_t>(keys[begin + i])]);
+    });
     if (!(e.size() > 0))
       continue;
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto element = static_cast<std::uint32_t>(keys[i]);
-      keys[i] = key_of(centres[element], element, e, cells / e.size());
-    }
-    radix_sort(keys + begin, scratch, end - begin, place_bits, place_of);
-    refine(centres, keys + begin, scratch, end - begin);
+    for_strips(on, end - begin, [&](std::size_t from, std::size_t to) {
+      for (std::size_t i = begin + from; i < begin + to; ++i) {
+        const auto element = static_cast<std::uint32_t>(keys[i]);
+        keys[i] = key_of(centres[element], element, e, cells / e.size());
+      }
+    });
+    radix_sort(keys + begin, scratch, end - begin, place_bits, place_of, on);
+    refine(centres, keys + begin, scratch, end - begin, on);
   }
 }
 
 } // namespace
 
 void spatial_order(const centre *centres, const std::uint32_t *list, const centre_extent &all, std::size_t n,
-                   std::uint64_t *keys, std::uint64_t *scratch, int threads) {
+                   std::uint64_t *keys, std::uint64_t *scratch, const execution &on) {
   const double scale = all.size() > 0 ? cells / all.size() : 0;
   constexpr std::size_t least_part = 4096;
   const std::size_t part = std::max(least_part, (n + most_sort_parts - 1) / most_sort_parts);
-  for_chunks(threads, n, part, [&](int, std::size_t begin, std::size_t end) {
+  for_chunks(on, n, least_part, [&](int, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const std::uint32_t element = list ? list[i] : static_cast<std::uint32_t>(i);
       scratch[i] = key_of(centres[element], element, all, scale);
@@ -130,8 +136,8 @@ void spatial_order(const centre *centres, const std::uint32_t *list, const centr
   radix_sort_parts(
       (n + part - 1) / part,
       [&](std::size_t p, const auto &visit) { visit(scratch + p * part, std::min(part, n - p * part)); }, keys,
-      place_bits, threads, place_of, [&](int, std::size_t begin, std::size_t) { return scratch + begin; },
-      [&](std::size_t begin, std::size_t some, std::uint64_t *room) { refine(centres, keys + begin, room, some); });
+      place_bits, on, place_of, [&](int, std::size_t begin, std::size_t) { return scratch + begin; },
+      [&](std::size_t begin, std::size_t some, std::uint64_t *room) { refine(centres, keys + begin, room, some, on); });
 }
 
 } // namespace meetc

@@ -10,6 +10,7 @@
 #define MEETC_CORE_HIERARCHY_SPATIAL_ORDER_HPP
 
 #include "meet/core/hierarchy/box.hpp"
+#include "meet/core/threads/threads.hpp"
 
 #include <cstddef>
 
@@ -60,7 +61,7 @@ struct centre_extent {
 // Afterwards the low 32 bits of keys[i] are the element at position i, of the n elements in the list, which ascend;
 // null: of 0 to n-1. `all` is the extent of their centres, which are finite; scratch has room for n.
 void spatial_order(const centre *centres, const std::uint32_t *list, const centre_extent &all, std::size_t n,
-                   std::uint64_t *keys, std::uint64_t *scratch, int threads);
+                   std::uint64_t *keys, std::uint64_t *scratch, const execution &on);
 
 } // namespace meetc
 

@@ -34,11 +34,12 @@ struct collide_options {
   // and counts of sparse ones take much memory.
   std::span<const std::uint32_t> owner_a = {}, owner_b = {};
   std::function<void(double fraction)> progress = {}; // on the calling thread, about ten times a second
+  std::stop_token stop = {};                          // a request ends the call soon, by `cancelled`
 };
 
 // Memory grows with what is asked for, with the pairs where there are owners, and by what the sets store
 // (core/sets/stored_rows.hpp); never with the product of the sets. Throws usage_error (kinds, rung, box or owners
-// that do not fit) or std::bad_alloc.
+// that do not fit), std::bad_alloc or `cancelled`.
 result collide(const prepared &a, const prepared &b, const predicate_info &predicate, rung precision,
                const collide_options &options = {});
 

@@ -2,7 +2,6 @@
 
 #include "meet/core/answers/answers.hpp"
 #include "meet/core/query/common_corners.hpp"
-#include "meet/core/threads/threads.hpp"
 #include "meet/core/views/numbered.hpp"
 
 #include <algorithm>
@@ -14,9 +13,9 @@ namespace {
 // Numbers for vertices, in the order in which they are asked, so that neighbours in space have near numbers.
 class numbering {
 public:
-  numbering(const element_set &set, std::size_t vertices, bool merge)
+  numbering(const element_set &set, std::size_t vertices, bool merge, const execution &on)
       : rows_(set.rows), merge_(merge), numbers_(vertices, no_element),
-        points_(merge ? std::min(vertices, 3 * set.elements) : 0) {}
+        points_(merge ? std::min(vertices, 3 * set.elements) : 0, on) {}
 
   // The number of a vertex, which is a corner at this place in the rows.
   std::uint32_t of(std::uint32_t vertex, std::uint32_t place) {
@@ -36,12 +35,12 @@ private:
 
 } // namespace
 
-corner_numbers numbers_of_corners(const element_set &set, const view &elements, bool merge, int threads) {
+corner_numbers numbers_of_corners(const element_set &set, const view &elements, bool merge, const execution &on) {
   const std::size_t vertices = elements.index ? elements.vertices : 3 * set.elements;
   if (3 * set.elements > no_element)
     throw std::length_error("a mesh with itself has fewer than 2^32 corners");
   corner_numbers out(set.elements);
-  for_chunks(threads, set.elements, 4096, [&](int, std::size_t begin, std::size_t end) {
+  for_chunks(on, set.elements, 4096, [&](int, std::size_t begin, std::size_t end) {
     for (std::size_t slot = begin; slot < end; ++slot)
       for (std::size_t c = 0; c < 3; ++c) {
         const std::size_t corner = std::size_t{3} * set.order[slot] + c;
@@ -50,29 +49,35 @@ corner_numbers numbers_of_corners(const element_set &set, const view &elements, 
           throw std::out_of_range("the index names a vertex that is not there");
       }
   });
-  numbering number(set, vertices, merge);
-  for (std::size_t slot = 0; slot < set.elements; ++slot)
-    for (std::size_t c = 0; c < 3; ++c)
-      out[slot][c] = number.of(out[slot][c], static_cast<std::uint32_t>(3 * slot + c));
+  numbering number(set, vertices, merge, on);
+  for_strips(on, set.elements, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t slot = begin; slot < end; ++slot)
+      for (std::size_t c = 0; c < 3; ++c)
+        out[slot][c] = number.of(out[slot][c], static_cast<std::uint32_t>(3 * slot + c));
+  });
   return out;
 }
 
-corner_stars::corner_stars(const corner_numbers &corners) {
+corner_stars::corner_stars(const corner_numbers &corners, const execution &on) {
   std::uint32_t most = 0;
   for (const auto &three : corners)
     most = std::max({most, three[0], three[1], three[2]});
   begin_.assign(corners.empty() ? 1 : most + std::size_t{2}, 0);
-  for (const auto &three : corners)
-    for (int i = 0; i < 3; ++i)
-      begin_[three[static_cast<std::size_t>(i)] + std::size_t{1}] += is_first(three.data(), i);
+  for_strips(on, corners.size(), [&](std::size_t first, std::size_t end) {
+    for (std::size_t slot = first; slot < end; ++slot)
+      for (int i = 0; i < 3; ++i)
+        begin_[corners[slot][static_cast<std::size_t>(i)] + std::size_t{1}] += is_first(corners[slot].data(), i);
+  });
   for (std::size_t n = 1; n < begin_.size(); ++n)
     begin_[n] += begin_[n - 1];
   slots_.resize(begin_.back());
   std::vector<std::uint32_t> next = begin_;
-  for (std::size_t slot = 0; slot < corners.size(); ++slot)
-    for (int i = 0; i < 3; ++i)
-      if (is_first(corners[slot].data(), i))
-        slots_[next[corners[slot][static_cast<std::size_t>(i)]]++] = static_cast<std::uint32_t>(slot);
+  for_strips(on, corners.size(), [&](std::size_t first, std::size_t end) {
+    for (std::size_t slot = first; slot < end; ++slot)
+      for (int i = 0; i < 3; ++i)
+        if (is_first(corners[slot].data(), i))
+          slots_[next[corners[slot][static_cast<std::size_t>(i)]]++] = static_cast<std::uint32_t>(slot);
+  });
 }
 
 } // namespace meetc

@@ -19,12 +19,12 @@ using corner_numbers = std::vector<std::array<std::uint32_t, 3>>;
 
 // The set is whole, of elements with three points, and was filled from this view. Throws std::out_of_range for an index that
 // is not there.
-corner_numbers numbers_of_corners(const element_set &set, const view &elements, bool merge, int threads);
+corner_numbers numbers_of_corners(const element_set &set, const view &elements, bool merge, const execution &on);
 
 // The slots around each number, ascending.
 class corner_stars {
 public:
-  explicit corner_stars(const corner_numbers &corners);
+  explicit corner_stars(const corner_numbers &corners, const execution &on);
   std::span<const std::uint32_t> of(std::uint32_t number) const {
     return std::span(slots_).subspan(begin_[number], begin_[number + std::size_t{1}] - begin_[number]);
   }

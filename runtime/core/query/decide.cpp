@@ -1,7 +1,5 @@
 #include "meet/core/query/decide.hpp"
 
-#include "meet/core/threads/threads.hpp"
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -12,6 +10,8 @@ namespace {
 // A batch is flushed at about this number of pairs. A run that began just before can still add its whole length.
 constexpr std::size_t flush_at = 4096, early_flush_at = 128;
 constexpr std::size_t batch_capacity = flush_at + pair_sink::longest_run;
+// So many pairs are decided by a rung that has all to itself, before it is asked whether to go on.
+constexpr std::size_t decided_at_once = 1024;
 
 bool takes_elements(const query_answer *a) {
   return a->needs_pairs() && !a->by_slots();
@@ -39,6 +39,7 @@ public:
   batch &operator=(const batch &) = delete;
 
   bool flush() override {
+    shared_.job.on.go_on();
     if (shared_.job.only)
       size_ = shared_.job.only->keep(pairs_, size_);
     candidates_ += meant({pairs_, size_});
@@ -100,9 +101,18 @@ private:
   // are moved without a branch.
   std::size_t decide() {
     const decision_job &job = shared_.job;
-    const row_array a{job.a.rows, job.stored_a.after(size_, job.a)}, b{job.b.rows, job.stored_b.after(size_, job.b)};
-    job.by.decide(a, b, pairs_, size_, answers_, shared_.stops_early,
-                  [this](int at, std::span<const index_pair> left) { unsure_[at] += meant(left); });
+    const row_array a{job.a.rows, job.stored_a.after(size_, job.a, job.on)},
+        b{job.b.rows, job.stored_b.after(size_, job.b, job.on)};
+    const auto handed_on = [this](int at, std::span<const index_pair> left) {
+      shared_.job.on.go_on();
+      unsure_[at] += meant(left);
+    };
+    const std::size_t at_once = job.by.count > 1 ? batch_capacity : decided_at_once;
+    for (std::size_t begin = 0; begin < size_; begin += at_once) {
+      job.on.go_on();
+      job.by.decide(a, b, pairs_ + begin, std::min(at_once, size_ - begin), answers_ + begin, shared_.stops_early,
+                    handed_on);
+    }
     std::size_t hits = 0;
     for (std::size_t i = 0; i < size_; ++i) {
       pairs_[hits] = pairs_[i];
@@ -145,12 +155,12 @@ std::size_t batch_bytes(int threads) {
 
 tally decide_all(const decision_job &job, memory batches) {
   bump_allocator from(batches);
-  auto *pairs = from.take<index_pair>(static_cast<std::size_t>(job.threads) * batch_capacity);
-  auto *answers = from.take<answer>(static_cast<std::size_t>(job.threads) * batch_capacity);
+  auto *pairs = from.take<index_pair>(static_cast<std::size_t>(job.on.threads) * batch_capacity);
+  auto *answers = from.take<answer>(static_cast<std::size_t>(job.on.threads) * batch_capacity);
 
   // Chunks are small enough to share out, and large enough that the counter is not the bottleneck.
   const std::size_t units = job.source.units();
-  const std::size_t chunk = std::clamp<std::size_t>(units / (static_cast<std::size_t>(job.threads) * 64), 1, 64);
+  const std::size_t chunk = std::clamp<std::size_t>(units / (static_cast<std::size_t>(job.on.threads) * 64), 1, 64);
   chunk_counter counter(units, chunk);
   shared_state shared(job);
   auto body = [&](int worker) {
@@ -158,17 +168,19 @@ tally decide_all(const decision_job &job, memory batches) {
     batch mine(shared, worker, pairs + at, answers + at);
     progress_report progress(job);
     for (std::size_t unit, end; counter.take(unit, end);) {
-      for (; unit < end; ++unit)
+      for (; unit < end; ++unit) {
+        job.on.go_on();
         if (shared.done() || !job.source.yield(unit, mine)) {
           counter.close();
           break;
         }
+      }
       if (worker == 0)
         progress.at(counter.fraction());
     }
     mine.finish();
   };
-  run_workers(counter.workers(job.threads), counter, body);
+  run_workers(counter.workers(job.on.threads), counter, body);
   tally total{shared.candidates, shared.hits, job.by.start};
   for (int r = 0; r < bounded_rungs; ++r)
     total.rungs.unsure[r] = shared.unsure[r];

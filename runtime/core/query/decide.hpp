@@ -26,7 +26,7 @@ struct decision_job {
   stored_operand stored_a, stored_b; // for by.stored_a and by.stored_b
   const cascade &by;
   const tree_pairs &source;
-  int threads;
+  execution on;
   void (*progress)(void *context, double fraction); // may be null; called from the calling thread a few times a second
   void *progress_context;
   std::span<query_answer *const> answers; // which have been started; none: only count
@@ -42,8 +42,8 @@ struct tally {
 
 std::size_t batch_bytes(int threads);
 
-// `batches` holds batch_bytes(threads). Where all answers are done early, the counts mean nothing but that they are not 0, and
-// no unnecessary rung runs.
+// `batches` holds batch_bytes(threads). Throws `cancelled` and what the answers throw. Where all answers are done early, the
+// counts mean nothing but that they are not 0, and no unnecessary rung runs.
 tally decide_all(const decision_job &job, memory batches);
 
 } // namespace meetc

@@ -26,13 +26,13 @@ struct query_operand {
 };
 
 // Normalises both or none.
-inline void normalise(query_operand &a, query_operand &b) {
+inline void normalise(query_operand &a, query_operand &b, const std::stop_token &stop) {
   const int power = normalising_power(a.given.set(), b.given.set());
   if (power == 0)
     return;
-  a.normal = a.given.normalised(power);
+  a.normal = a.given.normalised(power, stop);
   if (a.normal)
-    b.normal = b.given.normalised(power);
+    b.normal = b.given.normalised(power, stop);
   if (!b.normal)
     a.normal = nullptr;
 }

@@ -4,8 +4,7 @@
 #include "meet/core/query/common_corners.hpp"
 #include "meet/core/query/corner_numbers.hpp"
 #include "meet/core/query/decide.hpp"
-#include "meet/core/query/operand.hpp"
-#include "meet/core/threads/threads.hpp"
+#include "meet/core/query/touching_query.hpp"
 #include "meet/core/views/collinear.hpp"
 #include "meet/core/views/usage_error.hpp"
 
@@ -23,7 +22,7 @@ struct mesh_view {
   const element_set &set;
   const corner_numbers &corners; // by slot
   std::span<const std::uint32_t> owner;
-  int threads;
+  execution on;
 
   bool one_item(std::uint32_t s, std::uint32_t t) const {
     return !owner.empty() && owner[set.order[s]] == owner[set.order[t]];
@@ -96,6 +95,7 @@ public:
       decide();
   }
   void decide() {
+    mesh_.on.go_on();
     answer said[room];
     by_.decide({rows_a_}, {rows_b_}, pairs_, size_, said, false,
                [this](int at, std::span<const index_pair> left) { unsure[at] += left.size(); });
@@ -148,8 +148,11 @@ public:
       if ((first >> (3 * c) & 1) == 0)
         continue;
       const std::span<const std::uint32_t> around = stars_.of(mine[c]);
-      for (std::size_t i = around.size(); i-- > 0 && around[i] > s;)
+      for (std::size_t i = around.size(); i-- > 0 && around[i] > s;) {
+        if ((i & 0xfff) == 0xfff)
+          mesh_.on.go_on();
         meet(s, c, around[i], first);
+      }
     }
   }
   void finish(self_result &r) {
@@ -182,25 +185,23 @@ private:
   std::uint64_t found_[3] = {};
 };
 
-void require(bool holds, const char *text) {
-  if (!holds)
-    throw usage_error(text);
-}
-
 void search_neighbours(const mesh_view &mesh, const self_predicates &by, std::vector<pair_list> &to, self_result &r) {
-  const corner_stars stars(mesh.corners);
+  const corner_stars stars(mesh.corners, mesh.on);
   const cascade one(by.one_common, rung::certified), two(by.two_common, rung::certified);
   std::mutex hold;
   chunk_counter counter(mesh.set.elements, 1024);
   auto body = [&](int worker) {
     const auto search = std::make_unique<neighbour_search>(mesh, stars, one, two, to[static_cast<std::size_t>(worker)]);
     for (std::size_t slot, end; counter.take(slot, end);)
-      for (; slot < end; ++slot)
+      for (; slot < end; ++slot) {
+        if ((slot & 0x3f) == 0)
+          mesh.on.go_on();
         search->visit(static_cast<std::uint32_t>(slot));
+      }
     const std::scoped_lock lock(hold);
     search->finish(r);
   };
-  run_workers(counter.workers(mesh.threads), counter, body);
+  run_workers(counter.workers(mesh.on.threads), counter, body);
 }
 
 void search_others(const mesh_view &mesh, const query_operand &of, const self_predicates &by,
@@ -213,20 +214,20 @@ void search_others(const mesh_view &mesh, const query_operand &of, const self_pr
   const auto report = [](void *context, double fraction) {
     (*static_cast<const std::function<void(double)> *>(context))(fraction);
   };
-  const std::unique_ptr<std::byte[]> batches(new std::byte[batch_bytes(mesh.threads)]);
+  const std::unique_ptr<std::byte[]> batches(new std::byte[batch_bytes(mesh.on.threads)]);
   const tally total =
       decide_all({of.set(), of.set(), of.stored(apart.stored_a, *by.apart.a), of.stored(apart.stored_b, *by.apart.b),
-                  apart, source, mesh.threads, options.progress ? +report : nullptr,
+                  apart, source, mesh.on, options.progress ? +report : nullptr,
                   const_cast<std::function<void(double)> *>(&options.progress), answers, false, &only},
-                 {batches.get(), batch_bytes(mesh.threads)});
+                 {batches.get(), batch_bytes(mesh.on.threads)});
   r.candidates = total.candidates;
   for (int i = 0; i < bounded_rungs; ++i)
     r.rungs.unsure[i] += total.rungs.unsure[i];
 }
 
-std::vector<std::uint32_t> without_extent(const element_set &set, int threads) {
+std::vector<std::uint32_t> without_extent(const element_set &set, const execution &on) {
   std::vector<std::uint8_t> flat(set.elements);
-  for_chunks(threads, set.elements, 4096, [&](int, std::size_t begin, std::size_t end) {
+  for_chunks(on, set.elements, 4096, [&](int, std::size_t begin, std::size_t end) {
     for (std::size_t slot = begin; slot < end; ++slot)
       flat[set.order[slot]] = collinear(set.rows + 9 * slot);
   });
@@ -253,16 +254,16 @@ self_result find_self_pairs(const prepared &set, const view &elements, const sel
           "an owner map needs one item for each element");
   query_operand of{set, nullptr}, same{set, nullptr};
   if (scales)
-    normalise(of, same);
-  const int threads = thread_count(options.threads);
-  const corner_numbers corners = numbers_of_corners(set.set(), elements, options.merge, threads);
-  const mesh_view mesh{of.set(), corners, options.owner, threads};
-  std::vector<pair_list> found(static_cast<std::size_t>(threads));
+    normalise(of, same, options.stop);
+  const execution on = execution_on(options.threads, options.stop);
+  const corner_numbers corners = numbers_of_corners(set.set(), elements, options.merge, on);
+  const mesh_view mesh{of.set(), corners, options.owner, on};
+  std::vector<pair_list> found(static_cast<std::size_t>(on.threads));
   self_result r;
   search_neighbours(mesh, by, found, r);
   search_others(mesh, of, by, options, found, r);
-  r.pairs = sorted(std::move(found), threads);
-  r.degenerate = without_extent(of.set(), threads);
+  r.pairs = sorted(std::move(found), on);
+  r.degenerate = without_extent(of.set(), on);
   r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return r;
 }

@@ -30,6 +30,7 @@ struct self_options {
   // border of three corners in line, and are cut into elements otherwise there, these elements meet beyond their corners.
   std::span<const std::uint32_t> owner = {};
   std::function<void(double fraction)> progress = {};
+  std::stop_token stop = {}; // as in collide_options
 };
 
 struct self_result {
@@ -44,7 +45,7 @@ struct self_result {
 
 // The mesh as it lies in `set`, which was prepared from this view. Memory grows with the elements and with the pairs found.
 // Throws usage_error (a set that is not whole, another view, other kinds), std::out_of_range (an index that is not
-// there), std::length_error (2^32 corners) or std::bad_alloc.
+// there), std::length_error (2^32 corners), std::bad_alloc or `cancelled`.
 self_result self_pairs(const prepared &set, const view &elements, const self_predicates &predicates,
                        const self_options &options = {});
 

@@ -1,6 +1,5 @@
 #include "meet/core/sets/element_set.hpp"
 
-#include "meet/core/threads/threads.hpp"
 #include "meet/core/views/rows.hpp"
 
 #include <atomic>
@@ -15,14 +14,22 @@ namespace meetc {
 namespace {
 
 // The largest |v| of every stride-th number, found by the bits: finite numbers are in the order of their magnitudes'
-// bits, and comparisons of integers are vectorised.
+// bits, and comparisons of integers are vectorised. Infinite if one of them is not finite.
 float largest(const float *v, std::size_t n, std::size_t stride) {
-  std::uint32_t most = 0;
-  for (std::size_t i = 0; i < n; i += stride) {
-    std::uint32_t bits;
-    std::memcpy(&bits, v + i, sizeof bits);
-    most = std::max(most, bits & 0x7fffffff);
-  }
+  const auto bits = [v](std::size_t i) {
+    std::int32_t b;
+    std::memcpy(&b, v + i, sizeof b);
+    return b & 0x7fffffff;
+  };
+  std::int32_t most = 0;
+  if (stride == 1)
+    for (std::size_t i = 0; i < n; ++i)
+      most = bits(i) > most ? bits(i) : most;
+  else
+    for (std::size_t i = 0; i < n; i += stride)
+      most = bits(i) > most ? bits(i) : most;
+  constexpr std::int32_t infinite = 0x7f800000;
+  most = std::min(most, infinite);
   float value;
   std::memcpy(&value, &most, sizeof value);
   return value;
@@ -72,12 +79,14 @@ struct survey {
 };
 
 // Lists the elements that are kept, in ascending order, and returns their number.
-std::size_t list_kept(const std::uint8_t *kept, std::size_t n, std::uint32_t *list) {
+std::size_t list_kept(const std::uint8_t *kept, std::size_t n, std::uint32_t *list, const execution &on) {
   std::size_t count = 0;
-  for (std::size_t e = 0; e < n; ++e) {
-    list[count] = static_cast<std::uint32_t>(e);
-    count += kept[e];
-  }
+  for_strips(on, n, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) {
+      list[count] = static_cast<std::uint32_t>(e);
+      count += kept[e];
+    }
+  });
   return count;
 }
 
@@ -89,6 +98,10 @@ public:
   box operator[](std::size_t i) const {
     const float *const e = ends_ + 6 * i;
     return {{e[0], e[1], e[2]}, {e[3], e[4], e[5]}};
+  }
+  // The boxes of `filled` rows from `first` on, finite, in the first lanes; the others become empty.
+  void block(std::size_t first, std::size_t filled, box_block &out) const {
+    out.take(ends_ + 6 * first, static_cast<int>(filled));
   }
 
 private:
@@ -140,7 +153,7 @@ void fill_blocks(element_set &set, const float *rows, const std::uint64_t *keys,
       set.order[slot] = element;
       copy_row(set.rows + slot * fields, row, fields);
     }
-    box_rows(*set.kind, set.rows + first * fields, filled, leaves.blocks[block]);
+    box_rows(*set.kind, set.rows + first * fields, filled, leaves.blocks + block);
   }
 }
 
@@ -158,13 +171,14 @@ magnitudes magnitudes_of(const kind_info &kind, const float *rows, std::size_t c
   return all;
 }
 
-void box_rows(const kind_info &kind, const float *rows, std::size_t count, box_block &out) {
-  if (count < lanes)
-    out.clear();
-  const row_boxes all(kind, rows, count);
-  for (std::size_t i = 0; i < count; ++i)
-    out.set(static_cast<int>(i), all[i]);
-  out.sanitise(static_cast<int>(count));
+void box_rows(const kind_info &kind, const float *rows, std::size_t count, box_block *out) {
+  const auto fields = static_cast<std::size_t>(kind.fields);
+  for (std::size_t first = 0; first < count; first += row_boxes::most) {
+    const std::size_t some = std::min(row_boxes::most, count - first);
+    const row_boxes all(kind, rows + first * fields, some);
+    for (std::size_t i = 0; i < some; i += lanes)
+      all.block(i, std::min<std::size_t>(lanes, some - i), *out++);
+  }
 }
 
 element_set take_set(bump_allocator &from, const kind_info &kind, std::size_t elements) {
@@ -187,7 +201,7 @@ set_scratch take_scratch(bump_allocator &from, const kind_info &kind, std::size_
   return s;
 }
 
-status fill(element_set &set, const view &elements, const pose &at, const set_scratch &scratch, int threads,
+status fill(element_set &set, const view &elements, const pose &at, const set_scratch &scratch, const execution &on,
             const element_set *counterpart) {
   const kind_info &kind = *set.kind;
   const auto fields = static_cast<std::size_t>(kind.fields);
@@ -207,7 +221,7 @@ status fill(element_set &set, const view &elements, const pose &at, const set_sc
   survey all;
   magnitudes most;
   set.grid = at.grid;
-  for_chunks(threads, given, chunk, [&](int, std::size_t begin, std::size_t end) {
+  for_chunks(on, given, chunk, [&](int, std::size_t begin, std::size_t end) {
     const status s = in_place ? check_rows(kind, rows + begin * fields, end - begin)
                               : gather(elements, kind, at, begin, end, scratch.rows + begin * fields);
     if (s != status::ok) {
@@ -241,13 +255,46 @@ status fill(element_set &set, const view &elements, const pose &at, const set_sc
   set.around = given > 0 ? all.around : nothing;
   set.elements = given;
   if (keep)
-    set.elements = list_kept(scratch.kept, given, set.order); // which the order replaces below
+    set.elements = list_kept(scratch.kept, given, set.order, on); // which the order replaces below
   resize(set.boxes, set.elements);
   spatial_order(scratch.centres, keep ? set.order : nullptr, all.centres, set.elements, scratch.keys, scratch.more_keys,
-                threads);
-  for_chunks(threads, set.boxes.levels[0].count(), chunk / lanes,
+                on);
+  for_chunks(on, set.boxes.levels[0].count(), chunk / lanes,
              [&](int, std::size_t begin, std::size_t end) { fill_blocks(set, rows, scratch.keys, begin, end); });
-  enclose(set.boxes, threads);
+  enclose(set.boxes, on);
+  return status::ok;
+}
+
+status refit(element_set &set, const element_set &ordered, const view &slots, const pose &at,
+             const magnitudes *of_points, const execution &on) {
+  const kind_info &kind = *set.kind;
+  const auto fields = static_cast<std::size_t>(kind.fields);
+  const level &leaves = set.boxes.levels[0];
+  constexpr std::size_t chunk = 32; // blocks, whose rows stay in the first cache
+  std::atomic<bool> bad{false};
+  std::mutex lock;
+  magnitudes most;
+  for_chunks(on, leaves.count(), chunk, [&](int, std::size_t first, std::size_t last) {
+    const std::size_t begin = first * lanes, end = std::min(last * lanes, set.elements);
+    float *const rows = set.rows + begin * fields;
+    fetch(slots, kind, at, begin, end, rows, slots.index ? nullptr : ordered.order);
+    const magnitudes of_mine = of_points ? *of_points : magnitudes_of(kind, rows, end - begin);
+    const bool finite = std::isfinite(of_mine.reach) && std::isfinite(of_mine.longest);
+    if ((!finite || kind.fault) && check_rows(kind, rows, end - begin) != status::ok) {
+      bad.store(true, std::memory_order_relaxed);
+      return;
+    }
+    std::copy(ordered.order + begin, ordered.order + end, set.order + begin);
+    box_rows(kind, rows, end - begin, leaves.blocks + first);
+    const std::scoped_lock hold(lock);
+    most.add(of_mine);
+  });
+  if (bad)
+    return status::bad_value;
+  set.reach = most.reach, set.longest = most.longest;
+  set.grid = at.grid;
+  enclose(set.boxes, on);
+  set.around = set.elements > 0 ? set.boxes.top().blocks[0].around() : nothing;
   return status::ok;
 }
 

@@ -38,7 +38,7 @@ struct set_scratch {
   std::uint64_t *keys = nullptr, *more_keys = nullptr;
 };
 
-// The largest |coordinate| and |length| of some rows; infinite if a field is neither.
+// The largest |coordinate| and |length| of some rows; infinite if a field is neither, or a number is not finite.
 struct magnitudes {
   float reach = 0, longest = 0;
 
@@ -46,15 +46,23 @@ struct magnitudes {
 };
 magnitudes magnitudes_of(const kind_info &kind, const float *rows, std::size_t count);
 
-// The boxes of at most sixteen rows, finite, in the first lanes; the others become empty.
-void box_rows(const kind_info &kind, const float *rows, std::size_t count, box_block &out);
+// The boxes of rows, finite, sixteen in a block; the last lanes of the last block become empty.
+void box_rows(const kind_info &kind, const float *rows, std::size_t count, box_block *out);
 
 element_set take_set(bump_allocator &from, const kind_info &kind, std::size_t elements);
 set_scratch take_scratch(bump_allocator &from, const kind_info &kind, std::size_t elements);
 
-// Fills a set whose memory was taken for this kind and number of elements. counterpart: null, or a filled set.
-status fill(element_set &set, const view &elements, const pose &at, const set_scratch &scratch, int threads,
+// Fills a set whose memory was taken for this kind and number of elements. counterpart: null, or a filled set. Throws only
+// where it is cancelled.
+status fill(element_set &set, const view &elements, const pose &at, const set_scratch &scratch, const execution &on,
             const element_set *counterpart = nullptr);
+
+// Fills a set in the order of `ordered`, from the places of its elements now. `slots`: with an index, whose vertices are there,
+// that of the elements in this order; without, the rows of all in the caller's order. of_points: where the elements are nothing
+// but points, which lie in the pose already, their magnitudes; else null. Returns ok, or bad_value where an element is bad.
+// Throws only where it is cancelled.
+status refit(element_set &set, const element_set &ordered, const view &slots, const pose &at,
+             const magnitudes *of_points, const execution &on);
 
 } // namespace meetc
 

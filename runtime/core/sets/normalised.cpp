@@ -8,24 +8,28 @@ namespace meetc {
 namespace {
 
 // Whether all n products with 2^power are exact.
-bool multiply(const float *from, std::size_t n, int power, float *to) {
+bool multiply(const float *from, std::size_t n, int power, float *to, const execution &on) {
   const double factor = std::ldexp(1.0, power), inverse = std::ldexp(1.0, -power);
   std::uint32_t different = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    to[i] = static_cast<float>(from[i] * factor);
-    const auto back = static_cast<float>(to[i] * inverse);
-    std::uint32_t x, y;
-    std::memcpy(&x, from + i, sizeof x);
-    std::memcpy(&y, &back, sizeof y);
-    different |= x ^ y;
-  }
+  for_strips(on, n, [&](std::size_t begin, std::size_t end) {
+    std::uint32_t here = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      to[i] = static_cast<float>(from[i] * factor);
+      const auto back = static_cast<float>(to[i] * inverse);
+      std::uint32_t x, y;
+      std::memcpy(&x, from + i, sizeof x);
+      std::memcpy(&y, &back, sizeof y);
+      here |= x ^ y;
+    }
+    different |= here;
+  });
   return different == 0;
 }
 
-std::shared_ptr<const normalised_set> multiplied(const element_set &set, int power) {
+std::shared_ptr<const normalised_set> multiplied(const element_set &set, int power, const execution &on) {
   const std::size_t n = set.elements * static_cast<std::size_t>(set.kind->fields);
   std::unique_ptr<float[]> rows(new (std::nothrow) float[n]);
-  if (!rows || !multiply(set.rows, n, power, rows.get()))
+  if (!rows || !multiply(set.rows, n, power, rows.get(), on))
     return nullptr;
   auto result = std::make_shared<normalised_set>(normalised_set{std::move(rows), set, stored_table(*set.kind)});
   result->set.rows = result->rows.get();
@@ -56,10 +60,10 @@ stored_rows *stored_table::of(const stored_values &values, const kind_info &of) 
   return any ? &rows_[static_cast<std::size_t>(values.number)] : nullptr;
 }
 
-std::shared_ptr<const normalised_set> normalisation::of(const element_set &set, int power) {
+std::shared_ptr<const normalised_set> normalisation::of(const element_set &set, int power, const execution &on) {
   const std::scoped_lock hold(lock_);
   if (power != power_) {
-    last_ = multiplied(set, power);
+    last_ = multiplied(set, power, on);
     power_ = power;
   }
   return last_;

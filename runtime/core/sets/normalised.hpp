@@ -42,8 +42,8 @@ struct normalised_set {
 class normalisation {
 public:
   // The set times 2^power. Null where that is not exact for each number, or where memory is short. Any thread may call;
-  // the set is always the same.
-  std::shared_ptr<const normalised_set> of(const element_set &set, int power);
+  // the set is always the same. A call that is cancelled keeps nothing.
+  std::shared_ptr<const normalised_set> of(const element_set &set, int power, const execution &on = 1);
 
 private:
   std::mutex lock_;

@@ -20,8 +20,8 @@ box posed_box(const pose &at, const box &around, float longest) {
   return out;
 }
 
-posed_blocks::posed_blocks(const element_set &from, const pose &at, std::span<const box> near)
-    : from_(from), pose_(at), near_(near) {
+posed_blocks::posed_blocks(const element_set &from, const pose &at, std::span<const box> near, std::stop_token stop)
+    : from_(from), pose_(at), near_(near), on_(1, std::move(stop)) {
   if (from.boxes.depth > 0)
     mark(from.boxes.depth - 1, 0);
   for (const std::size_t block : blocks_)
@@ -33,6 +33,7 @@ bool posed_blocks::touches(const box &b) const {
 }
 
 void posed_blocks::mark(int at, std::size_t block) {
+  on_.go_on();
   const level &here = from_.boxes.levels[at];
   for (std::size_t i = 0; i < here.filled(block); ++i) {
     const std::size_t child = block * lanes + i;
@@ -52,6 +53,8 @@ std::size_t posed_blocks::fill(element_set &set) const {
   magnitudes most;
   std::size_t slot = 0, block = 0, bad = elements_;
   for (const std::size_t old : blocks_) {
+    if ((block & 0xff) == 0)
+      on_.go_on();
     const std::size_t filled = leaves.filled(old); // the last block alone may have fewer than sixteen
     float *const rows = set.rows + slot * fields;
     std::copy_n(from_.rows + old * lanes * fields, filled * fields, rows);
@@ -63,13 +66,13 @@ std::size_t posed_blocks::fill(element_set &set) const {
             (bad == elements_ || set.order[slot + i] < set.order[bad]))
           bad = slot + i;
     most.add(magnitudes_of(kind, rows, filled));
-    box_rows(kind, rows, filled, set.boxes.levels[0].blocks[block++]);
+    box_rows(kind, rows, filled, set.boxes.levels[0].blocks + block++);
     slot += filled;
   }
   set.reach = most.reach, set.longest = most.longest;
   set.grid = pose_.grid;
   set.around = from_.boxes.depth > 0 ? posed_box(pose_, from_.around, from_.longest) : from_.around;
-  enclose(set.boxes, 1);
+  enclose(set.boxes, on_);
   return bad;
 }
 

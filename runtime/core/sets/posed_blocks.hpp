@@ -20,7 +20,7 @@ box posed_box(const pose &at, const box &around, float longest);
 class posed_blocks {
 public:
   // The pose is movable(). A block of which a number might not be finite is among them, wherever it lies.
-  posed_blocks(const element_set &from, const pose &at, std::span<const box> near);
+  posed_blocks(const element_set &from, const pose &at, std::span<const box> near, std::stop_token stop = {});
 
   std::size_t elements() const { return elements_; }
   // Fills a set whose memory was taken for this number of elements. Returns the slot of the least element that is not finite
@@ -34,6 +34,7 @@ private:
   const element_set &from_;
   const pose &pose_;
   std::span<const box> near_;
+  execution on_;                    // one thread
   std::vector<std::size_t> blocks_; // of level 0, ascending
   std::size_t elements_ = 0;
 };

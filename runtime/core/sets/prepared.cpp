@@ -19,6 +19,12 @@ std::uint64_t next_number() {
 
 } // namespace
 
+void refuse(const view &one, std::size_t element, const kind_info &kind, const pose &at) {
+  fault f = check(one, kind, at);
+  f.element = element;
+  throw input_error(f, kind);
+}
+
 prepared::prepared() = default;
 prepared::prepared(prepared &&) noexcept = default;
 prepared &prepared::operator=(prepared &&) noexcept = default;
@@ -38,14 +44,14 @@ void prepared::bounds(float lo[3], float hi[3]) const {
 stored_rows *prepared::stored(const stored_values &values, const kind_info &of) const {
   return stored_->of(values, of);
 }
-std::shared_ptr<const normalised_set> prepared::normalised(int power) const {
-  return under_standard_word([&] { return normalised_->of(*set_, power); });
+std::shared_ptr<const normalised_set> prepared::normalised(int power, const std::stop_token &stop) const {
+  return under_standard_word([&] { return normalised_->of(*set_, power, {1, stop}); });
 }
-const set_topology &prepared::topology() const {
-  return under_standard_word([&]() -> const set_topology & { return topology_->of(*set_); });
+const set_topology &prepared::topology(const std::stop_token &stop) const {
+  return under_standard_word([&]() -> const set_topology & { return topology_->of(*set_, {1, stop}); });
 }
 
-prepared prepared::of(const view &elements, const kind_info &kind, const pose &at, int threads,
+prepared prepared::of(const view &elements, const kind_info &kind, const pose &at, const execution &on,
                       const prepared *counterpart) {
   if (elements.elements > 0xffffffff)
     throw std::length_error(text(status::too_many_elements));
@@ -60,42 +66,26 @@ prepared prepared::of(const view &elements, const kind_info &kind, const pose &a
   bump_allocator from({p.bytes_.get(), set_need.bytes()}), scratch_from({scratch_bytes.get(), scratch_need.bytes()});
   p.set_ = std::make_unique<element_set>(take_set(from, kind, elements.elements));
   const set_scratch scratch = take_scratch(scratch_from, kind, elements.elements);
-  const status s =
-      fill(*p.set_, elements, at, scratch, thread_count(threads), counterpart ? &counterpart->set() : nullptr);
+  const status s = fill(*p.set_, elements, at, scratch, on, counterpart ? &counterpart->set() : nullptr);
   if (s == status::bad_view || s == status::bad_index || s == status::bad_value)
     throw input_error(check(elements, kind, at), kind);
   if (s != status::ok)
     throw usage_error(text(s));
-  p.elements_ = elements.elements;
-  p.number_ = next_number();
-  p.counterpart_ = counterpart ? counterpart->number_ : 0;
-  p.stored_ = std::make_unique<stored_table>(kind);
-  p.normalised_ = std::make_unique<normalisation>();
-  p.topology_ = std::make_unique<kept_topology>();
+  p.finish(elements.elements, counterpart ? counterpart->number_ : 0);
   return p;
 }
 
-prepared prepared::of(const prepared &body, const pose &at, std::span<const box> near, prepared &spare) {
+prepared prepared::of(const prepared &body, const pose &at, std::span<const box> near, prepared &spare,
+                      const std::stop_token &stop) {
   const element_set &from = body.set();
   const kind_info &kind = body.kind();
   if (!body.whole())
     throw usage_error("a body must hold all of its elements");
   if (const status s = movable(kind, at); s != status::ok)
     throw usage_error(text(s));
-  const posed_blocks blocks(from, at, near);
-  bump_allocator need;
-  take_set(need, kind, blocks.elements());
-
+  const posed_blocks blocks(from, at, near, stop);
   prepared p;
-  p.bytes_ = std::move(spare.bytes_);
-  p.room_ = std::exchange(spare.room_, 0);
-  if (p.room_ < need.bytes()) {
-    p.bytes_ = nullptr;
-    p.bytes_ = allocate(need.bytes());
-    p.room_ = need.bytes();
-  }
-  bump_allocator bytes({p.bytes_.get(), p.room_});
-  p.set_ = std::make_unique<element_set>(take_set(bytes, kind, blocks.elements()));
+  p.take(spare, kind, blocks.elements());
   if (const std::size_t bad = blocks.fill(*p.set_); bad < blocks.elements()) {
     const std::uint32_t element = p.set_->order[bad];
     view one;
@@ -103,26 +93,44 @@ prepared prepared::of(const prepared &body, const pose &at, std::span<const box>
         static_cast<std::size_t>(std::find(from.order, from.order + from.elements, element) - from.order);
     one.data = from.rows + slot * static_cast<std::size_t>(kind.fields);
     one.elements = 1;
-    fault f = check(one, kind, at);
-    f.element = element;
-    throw input_error(f, kind);
+    refuse(one, element, kind, at);
   }
-  p.elements_ = body.elements_;
-  p.number_ = next_number();
-  p.counterpart_ = several;
-  p.stored_ = std::make_unique<stored_table>(kind);
-  p.normalised_ = std::make_unique<normalisation>();
-  p.topology_ = std::make_unique<kept_topology>();
+  p.finish(body.elements_, several);
   return p;
 }
 
-prepared posed(const prepared &body, const pose &at, std::span<const box> near, prepared spare) {
-  return under_standard_word([&] { return prepared::of(body, at, near, spare); });
+void prepared::take(prepared &spare, const kind_info &kind, std::size_t elements) {
+  bump_allocator need;
+  take_set(need, kind, elements);
+  bytes_ = std::move(spare.bytes_);
+  room_ = std::exchange(spare.room_, 0);
+  if (room_ < need.bytes()) {
+    bytes_ = nullptr;
+    bytes_ = allocate(need.bytes());
+    room_ = need.bytes();
+  }
+  bump_allocator from({bytes_.get(), room_});
+  set_ = std::make_unique<element_set>(take_set(from, kind, elements));
 }
 
-prepared prepare(const view &elements, const kind_info &kind, const pose &at, int threads,
-                 const prepared *counterpart) {
-  return under_standard_word([&] { return prepared::of(elements, kind, at, threads, counterpart); });
+void prepared::finish(std::size_t elements, std::uint64_t counterpart) {
+  elements_ = elements;
+  number_ = next_number();
+  counterpart_ = counterpart;
+  stored_ = std::make_unique<stored_table>(kind());
+  normalised_ = std::make_unique<normalisation>();
+  topology_ = std::make_unique<kept_topology>();
+}
+
+prepared posed(const prepared &body, const pose &at, std::span<const box> near, prepared spare,
+               const std::stop_token &stop) {
+  return under_standard_word([&] { return prepared::of(body, at, near, spare, stop); });
+}
+
+prepared prepare(const view &elements, const kind_info &kind, const pose &at, int threads, const prepared *counterpart,
+                 const std::stop_token &stop) {
+  return under_standard_word(
+      [&] { return prepared::of(elements, kind, at, execution_on(threads, stop), counterpart); });
 }
 
 } // namespace meetc

@@ -2,6 +2,7 @@
 #ifndef MEETC_CORE_SETS_PREPARED_HPP
 #define MEETC_CORE_SETS_PREPARED_HPP
 
+#include "meet/core/threads/cancelled.hpp"
 #include "meet/core/views/check.hpp"
 #include "meet/core/views/memory.hpp"
 #include "meet/core/views/pose.hpp"
@@ -12,6 +13,7 @@
 #include <memory>
 #include <span>
 #include <stdexcept>
+#include <stop_token>
 
 namespace meetc {
 
@@ -27,6 +29,7 @@ public:
 
 struct box;
 struct element_set;
+struct execution;
 struct normalised_set;
 struct set_topology;
 class kept_topology;
@@ -57,18 +60,25 @@ public:
   // which they are computed, is not kind() itself: two catalogues may number such values differently.
   stored_rows *stored(const stored_values &values, const kind_info &of) const;
   // The set times 2^power; null where it is not to be had (core/sets/normalised.hpp).
-  std::shared_ptr<const normalised_set> normalised(int power) const;
+  std::shared_ptr<const normalised_set> normalised(int power, const std::stop_token &stop = {}) const;
   // The set is whole. Found when first asked for (core/sets/topology.hpp).
-  const set_topology &topology() const;
+  const set_topology &topology(const std::stop_token &stop = {}) const;
 
   prepared(); // holds nothing
 
 private:
-  friend prepared prepare(const view &, const kind_info &, const pose &, int, const prepared *);
-  friend prepared posed(const prepared &, const pose &, std::span<const box>, prepared);
+  friend class moving_set;
+  friend prepared prepare(const view &, const kind_info &, const pose &, int, const prepared *,
+                          const std::stop_token &);
+  friend prepared posed(const prepared &, const pose &, std::span<const box>, prepared, const std::stop_token &);
   static constexpr std::uint64_t several = ~std::uint64_t{0}; // for sets that the caller knows
-  static prepared of(const prepared &body, const pose &, std::span<const box> near, prepared &spare);
-  static prepared of(const view &, const kind_info &, const pose &, int threads, const prepared *counterpart);
+  static prepared of(const prepared &body, const pose &, std::span<const box> near, prepared &spare,
+                     const std::stop_token &stop);
+  static prepared of(const view &, const kind_info &, const pose &, const execution &on, const prepared *counterpart);
+  // Takes the memory of `spare` where that suffices, and a set from it.
+  void take(prepared &spare, const kind_info &kind, std::size_t elements);
+  // The set is filled, and is of so many elements of the caller.
+  void finish(std::size_t elements, std::uint64_t counterpart);
   std::size_t elements_ = 0, room_ = 0;        // the bytes that are held
   std::uint64_t number_ = 0, counterpart_ = 0; // of this set, and of the one that it was prepared for; 0: for any
   owned_memory bytes_;
@@ -78,21 +88,25 @@ private:
   std::unique_ptr<kept_topology> topology_;
 };
 
+// Throws input_error for a view of one bad element, which is `element` of the caller.
+[[noreturn]] void refuse(const view &one, std::size_t element, const kind_info &kind, const pose &at);
+
 // Copies the elements in the pose, on this number of threads (0: all cores). A set without elements is allowed. With
 // `counterpart`, the result is for collisions with that set alone: elements whose boxes do not touch its boxes are checked, but
 // neither copied nor ordered, and answers are still about all elements. This pays where one set is far larger or reaches
 // farther than the other. Throws input_error (an index beyond the vertices, a value that is not finite, a broken rule of the
 // kind, a view with null data or too short a stride), usage_error (a kind that cannot be moved), std::length_error
-// (2^32 elements or more) or std::bad_alloc.
+// (2^32 elements or more), std::bad_alloc, or `cancelled` soon after `stop` was asked to.
 prepared prepare(const view &elements, const kind_info &kind, const pose &at = {}, int threads = 0,
-                 const prepared *counterpart = nullptr);
+                 const prepared *counterpart = nullptr, const std::stop_token &stop = {});
 
 // The same elements in a pose, in the order of `body` and without ordering them again, for collisions with sets whose bounds
 // lie in one of the boxes `near`: it holds the blocks of sixteen elements that may touch these. Rows are those that prepare()
 // computes from the rows of `body` in the pose, bit for bit; answers are about all elements. bounds() is a box that may be
 // larger than the elements. `body` is whole. The memory of `spare`, which nobody uses any more, serves again where it suffices.
 // Throws as prepare() does; the fault names the element.
-prepared posed(const prepared &body, const pose &at, std::span<const box> near, prepared spare = {});
+prepared posed(const prepared &body, const pose &at, std::span<const box> near, prepared spare = {},
+               const std::stop_token &stop = {});
 
 } // namespace meetc
 

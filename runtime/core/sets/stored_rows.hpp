@@ -18,10 +18,12 @@ class stored_rows {
 public:
   // The values of all rows, or null where each pair is to compute them, given that `pairs` more are to be looked at.
   // `room` has space for values.floats numbers a row; null: the memory is allocated, and if there is none, nothing is
-  // stored. Any thread may call; the set and the values are always the same.
-  const float *after(std::size_t pairs, const element_set &set, const stored_values &values, float *room);
+  // stored. Any thread may call; the set and the values are always the same. A call that is cancelled stores nothing.
+  const float *after(std::size_t pairs, const element_set &set, const stored_values &values, float *room,
+                     const execution &on = 1);
 
 private:
+  static bool compute(const element_set &set, const stored_values &values, float *room, const execution &on);
   std::atomic<const float *> ready_{nullptr};
   std::atomic<std::uint64_t> pairs_{0};
   std::atomic<bool> begun_{false};
@@ -34,8 +36,8 @@ struct stored_operand {
   stored_values values = {};
   float *room = nullptr;
 
-  const float *after(std::size_t pairs, const element_set &set) const {
-    return rows ? rows->after(pairs, set, values, room) : nullptr;
+  const float *after(std::size_t pairs, const element_set &set, const execution &on) const {
+    return rows ? rows->after(pairs, set, values, room, on) : nullptr;
   }
 };
 

@@ -34,21 +34,27 @@ struct edge_end {
 
 // The least element with an edge of which the ways do not cancel out. Three corners for each slot.
 std::optional<std::uint32_t> least_open(const element_set &set, const std::vector<std::uint32_t> &corners,
-                                        std::size_t points) {
+                                        std::size_t points, const execution &on) {
   const auto edge = [&](std::size_t i) { return std::pair(corners[i], corners[i % 3 == 2 ? i - 2 : i + 1]); };
   std::vector<std::size_t> begin(points + 1, 0); // of the edges at each point that is the lesser end
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    if (const auto [from, to] = edge(i); from != to)
-      ++begin[std::min(from, to) + std::size_t{1}];
+  for_strips(on, corners.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      if (const auto [from, to] = edge(i); from != to)
+        ++begin[std::min(from, to) + std::size_t{1}];
+  });
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<edge_end> ends(begin.back());
   std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    if (const auto [from, to] = edge(i); from != to)
-      ends[next[std::min(from, to)]++] = {std::max(from, to), static_cast<std::uint32_t>(i / 3), from < to ? 1 : -1};
+  for_strips(on, corners.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      if (const auto [from, to] = edge(i); from != to)
+        ends[next[std::min(from, to)]++] = {std::max(from, to), static_cast<std::uint32_t>(i / 3), from < to ? 1 : -1};
+  });
 
   std::optional<std::uint32_t> least;
   for (std::size_t p = 0; p < points; ++p) {
+    if ((p & 0xfff) == 0)
+      on.go_on();
     const auto first = ends.begin() + static_cast<std::ptrdiff_t>(begin[p]),
                last = ends.begin() + static_cast<std::ptrdiff_t>(begin[p + 1]);
     std::sort(first, last, [](const edge_end &x, const edge_end &y) { return x.to < y.to; });
@@ -72,27 +78,31 @@ void hull_point(const kind_info &kind, const float *row, int point, float out[3]
   }
 }
 
-set_topology topology_of(const element_set &set) {
+set_topology topology_of(const element_set &set, const execution &on) {
   const kind_info &kind = *set.kind;
   const auto hull = static_cast<std::size_t>(kind.hull);
   set_topology out;
   if (hull == 0)
     return out;
-  numbered<std::uint32_t, 3> points(set.elements);
+  numbered<std::uint32_t, 3> points(set.elements, on);
   std::vector<std::uint32_t> corners(set.elements * hull);
   std::vector<set_topology::corner> first; // the corner that gave each point its number
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const std::size_t slot = i / hull;
-    const auto point = static_cast<int>(i % hull);
-    float at[3];
-    hull_point(kind, set.rows + slot * static_cast<std::size_t>(kind.fields), point, at);
-    corners[i] = points.number(key_of_point(at));
-    if (corners[i] == first.size())
-      first.push_back({static_cast<std::uint32_t>(slot), point});
-  }
+  for_strips(on, corners.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t slot = i / hull;
+      const auto point = static_cast<int>(i % hull);
+      float at[3];
+      hull_point(kind, set.rows + slot * static_cast<std::size_t>(kind.fields), point, at);
+      corners[i] = points.number(key_of_point(at));
+      if (corners[i] == first.size())
+        first.push_back({static_cast<std::uint32_t>(slot), point});
+    }
+  });
   joined_numbers parts(first.size());
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    parts.join(corners[i], corners[i - i % hull]);
+  for_strips(on, corners.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      parts.join(corners[i], corners[i - i % hull]);
+  });
 
   const auto place = [&](std::uint32_t number) {
     std::array<float, 3> at;
@@ -101,14 +111,16 @@ set_topology topology_of(const element_set &set) {
     return at;
   };
   std::vector<std::uint32_t> least(first.size()); // of each part, at its name
-  for (std::uint32_t n = 0; n < first.size(); ++n)
-    if (std::uint32_t &l = least[parts.part(n)]; parts.part(n) == n || place(n) < place(l))
-      l = n;
+  for_strips(on, first.size(), [&](std::size_t begin, std::size_t end) {
+    for (auto n = static_cast<std::uint32_t>(begin); n < end; ++n)
+      if (std::uint32_t &l = least[parts.part(n)]; parts.part(n) == n || place(n) < place(l))
+        l = n;
+  });
   for (std::uint32_t n = 0; n < first.size(); ++n)
     if (parts.part(n) == n)
       out.parts.push_back(first[least[n]]);
   if (hull == 3 && kind.pad < 0)
-    out.open = least_open(set, corners, first.size());
+    out.open = least_open(set, corners, first.size(), on);
   return out;
 }
 

@@ -27,16 +27,16 @@ struct set_topology {
 };
 
 // The set holds all elements.
-set_topology topology_of(const element_set &set);
+set_topology topology_of(const element_set &set, const execution &on = 1);
 
 // The coordinates of a point of a row's hull.
 void hull_point(const kind_info &kind, const float *row, int point, float out[3]);
 
-// The topology of one set, found when asked for. Any thread may ask.
+// The topology of one set, found when asked for. Any thread may ask; after a call that was cancelled the next one finds it.
 class kept_topology {
 public:
-  const set_topology &of(const element_set &set) {
-    std::call_once(once_, [&] { found_ = topology_of(set); });
+  const set_topology &of(const element_set &set, const execution &on = 1) {
+    std::call_once(once_, [&] { found_ = topology_of(set, on); });
     return found_;
   }
 

@@ -19,8 +19,10 @@
 
 namespace meetc {
 
-// Sorts by the low `bits` bits of key(item). The result lies in `data`; scratch has room for n.
-template <class T, class Key> void radix_sort(T *data, T *scratch, std::size_t n, int bits, const Key &key) {
+// Sorts by the low `bits` bits of key(item), on this thread. The result lies in `data`; scratch has room for n. `on` may stop
+// it, and the items are then lost.
+template <class T, class Key>
+void radix_sort(T *data, T *scratch, std::size_t n, int bits, const Key &key, const execution &on = 1) {
   const auto low = [&](const T &item, int shift, int width) {
     return width == 0 ? 0 : key(item) << (64 - shift - width) >> (64 - width);
   };
@@ -43,15 +45,19 @@ template <class T, class Key> void radix_sort(T *data, T *scratch, std::size_t n
   for (int shift = 0; shift < bits; shift += width) {
     const int here = std::min(width, bits - shift);
     std::fill_n(start.begin(), std::size_t{1} << here, 0);
-    for (std::size_t i = 0; i < n; ++i)
-      ++start[low(from[i], shift, here)];
+    for_strips(on, n, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        ++start[low(from[i], shift, here)];
+    });
     if (start[low(from[0], shift, here)] == n)
       continue; // all have the same digit
     std::size_t sum = 0;
     for (std::size_t digit = 0; digit < std::size_t{1} << here; ++digit)
       sum += std::exchange(start[digit], sum);
-    for (std::size_t i = 0; i < n; ++i)
-      to[start[low(from[i], shift, here)]++] = from[i];
+    for_strips(on, n, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        to[start[low(from[i], shift, here)]++] = from[i];
+    });
     std::swap(from, to);
   }
   if (from != data)
@@ -66,7 +72,7 @@ inline constexpr std::size_t sort_buckets = 256, most_sort_parts = 32;
 // of the parts. room(worker, begin, n) is room for n items while a bucket is sorted whose first place is `begin`.
 // then(begin, n, room) is called once for each bucket when it is sorted; equal keys share a bucket.
 template <class T, class Each, class Key, class Room, class Then>
-void radix_sort_parts(std::size_t parts, const Each &each, T *to, int bits, int threads, const Key &key,
+void radix_sort_parts(std::size_t parts, const Each &each, T *to, int bits, const execution &on, const Key &key,
                       const Room &room, const Then &then) {
   constexpr int bucket_bits = std::countr_zero(sort_buckets);
   const int shift = std::max(bits - bucket_bits, 0);
@@ -74,11 +80,13 @@ void radix_sort_parts(std::size_t parts, const Each &each, T *to, int bits, int 
     return bits == 0 ? 0 : static_cast<std::size_t>(key(item) << (64 - bits) >> (64 - bits + shift));
   };
   std::array<std::array<std::size_t, sort_buckets>, most_sort_parts> at; // counts, and then places
-  for_chunks(threads, parts, 1, [&](int, std::size_t p, std::size_t) {
+  for_chunks(on, parts, 1, [&](int, std::size_t p, std::size_t) {
     at[p] = {};
     each(p, [&](const T *items, std::size_t n) {
-      for (std::size_t i = 0; i < n; ++i)
-        ++at[p][bucket(items[i])];
+      for_strips(on, n, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          ++at[p][bucket(items[i])];
+      });
     });
   });
   std::array<std::size_t, sort_buckets + 1> ends{};
@@ -88,18 +96,20 @@ void radix_sort_parts(std::size_t parts, const Each &each, T *to, int bits, int 
       sum += std::exchange(at[p][b], sum);
     ends[b + 1] = sum;
   }
-  for_chunks(threads, parts, 1, [&](int, std::size_t p, std::size_t) {
+  for_chunks(on, parts, 1, [&](int, std::size_t p, std::size_t) {
     each(p, [&](const T *items, std::size_t n) {
-      for (std::size_t i = 0; i < n; ++i)
-        to[at[p][bucket(items[i])]++] = items[i];
+      for_strips(on, n, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          to[at[p][bucket(items[i])]++] = items[i];
+      });
     });
   });
-  for_chunks(parts > 1 ? threads : 1, sort_buckets, 1, [&](int worker, std::size_t b, std::size_t) {
+  for_chunks(parts > 1 ? on : execution(1, on.stop), sort_buckets, 1, [&](int worker, std::size_t b, std::size_t) {
     const std::size_t begin = ends[b], n = ends[b + 1] - begin;
     if (n == 0)
       return;
     T *const scratch = room(worker, begin, n);
-    radix_sort(to + begin, scratch, n, shift, key);
+    radix_sort(to + begin, scratch, n, shift, key, on);
     then(begin, n, scratch);
   });
 }

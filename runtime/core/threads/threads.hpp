@@ -2,13 +2,18 @@
 //
 // The calling thread is worker 0, so with one thread everything runs inline and no thread starts. Started threads are
 // the only thing here that the system allocates; if it refuses some, the work is done by the others. The first
-// exception of a worker is thrown again in the caller once all have stopped.
+// exception of a worker is thrown again in the caller once all have stopped. Work that may be cancelled looks at its stop token
+// between pieces that take about a millisecond at most, and throws.
 #ifndef MEETC_CORE_THREADS_THREADS_HPP
 #define MEETC_CORE_THREADS_THREADS_HPP
+
+#include "meet/core/threads/cancelled.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <stop_token>
+#include <utility>
 
 namespace meetc {
 
@@ -16,6 +21,23 @@ inline constexpr int max_threads = 256;
 
 // 0 or less: as many as the machine has. The result is never more than max_threads.
 int thread_count(int wanted);
+
+// On how many threads work runs, and what may stop it. A number alone: nothing stops it.
+struct execution {
+  int threads;
+  std::stop_token stop;
+
+  execution(int n, std::stop_token s = {}) : threads(n), stop(std::move(s)) {} // NOLINT: a number is one
+  // Throws cancelled where a stop was requested.
+  void go_on() const {
+    if (stop.stop_requested())
+      throw cancelled();
+  }
+};
+// As many threads as wanted; see thread_count().
+inline execution execution_on(int wanted, std::stop_token stop) {
+  return {thread_count(wanted), std::move(stop)};
+}
 
 // The range [0, end) in chunks, each handed out once.
 class chunk_counter {
@@ -55,13 +77,24 @@ template <class Body> void run_workers(int threads, chunk_counter &counter, Body
 }
 
 // Calls body(worker, begin, end) for all chunks of [0, n).
-template <class Body> void for_chunks(int threads, std::size_t n, std::size_t chunk, const Body &body) {
+template <class Body> void for_chunks(const execution &on, std::size_t n, std::size_t chunk, const Body &body) {
   chunk_counter counter(n, chunk);
   auto each = [&](int worker) {
-    for (std::size_t begin, end; counter.take(begin, end);)
+    for (std::size_t begin, end; counter.take(begin, end);) {
+      on.go_on();
       body(worker, begin, end);
+    }
   };
-  run_workers(counter.workers(threads), counter, each);
+  run_workers(counter.workers(on.threads), counter, each);
+}
+
+// Calls body(begin, end) for strips of [0, n) one after another, on this thread: a loop that may be cancelled.
+template <class Body> void for_strips(const execution &on, std::size_t n, const Body &body) {
+  constexpr std::size_t strip = std::size_t{1} << 14;
+  for (std::size_t begin = 0; begin < n; begin += strip) {
+    on.go_on();
+    body(begin, std::min(n, begin + strip));
+  }
 }
 
 } // namespace meetc

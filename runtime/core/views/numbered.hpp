@@ -2,6 +2,8 @@
 #ifndef MEETC_CORE_VIEWS_NUMBERED_HPP
 #define MEETC_CORE_VIEWS_NUMBERED_HPP
 
+#include "meet/core/threads/threads.hpp"
+
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -16,11 +18,12 @@ template <class Word, std::size_t N> class numbered {
 public:
   using key = std::array<Word, N>;
 
-  explicit numbered(std::size_t expected) {
+  // `on` may stop what takes long, and outlives this.
+  numbered(std::size_t expected, const execution &on) : on_(on) {
     std::size_t n = 16;
     while (n < 2 * expected)
       n *= 2;
-    slots_.assign(n, none);
+    empty(n);
     keys_.reserve(expected);
   }
   std::uint32_t number(const key &k) {
@@ -40,6 +43,7 @@ public:
 private:
   static constexpr std::uint32_t none = ~std::uint32_t{0};
   static constexpr std::size_t most = std::size_t{1} << 31;
+  const execution &on_;
   std::vector<std::uint32_t> slots_;
   std::vector<key> keys_;
 
@@ -56,10 +60,17 @@ private:
       i = (i + 1) & last;
     return slots_[i];
   }
+  void empty(std::size_t n) {
+    std::vector<std::uint32_t>().swap(slots_);
+    slots_.reserve(n);
+    for_strips(on_, n, [&](std::size_t, std::size_t end) { slots_.resize(end, none); });
+  }
   void grow() {
-    slots_.assign(2 * slots_.size(), none);
-    for (std::size_t i = 0; i < keys_.size(); ++i)
-      find(keys_[i]) = static_cast<std::uint32_t>(i);
+    empty(2 * slots_.size());
+    for_strips(on_, keys_.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        find(keys_[i]) = static_cast<std::uint32_t>(i);
+    });
   }
 };
 

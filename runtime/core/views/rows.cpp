@@ -23,26 +23,45 @@ std::size_t stride(const view &v, const kind_info &kind) {
   return v.stride_bytes == 0 ? row_bytes(v, kind) : v.stride_bytes;
 }
 
+// Tells the processor that this will be read soon.
+void expect([[maybe_unused]] const char *bytes) {
+#if defined(__GNUC__) || defined(__clang__)
+  __builtin_prefetch(bytes);
+#endif
+}
+
 // Fetches `points` points for each element, where the number is known to the compiler or, with 0, is kind.points.
 // Returns the first element with an index beyond the vertices, or end.
 template <std::size_t Points>
 std::size_t fetch_indexed(const view &v, const kind_info &kind, std::size_t begin, std::size_t end, float *out) {
   const auto *bytes = reinterpret_cast<const char *>(v.data);
   const std::size_t points = Points > 0 ? Points : static_cast<std::size_t>(kind.points), apart = stride(v, kind);
-  for (std::size_t e = begin; e < end; ++e)
+  for (std::size_t e = begin; e < end; ++e) {
+    if constexpr (Points == 1) { // a list of points, which may lie anywhere
+      constexpr std::size_t ahead = 32;
+      if (e + ahead < end)
+        expect(bytes + v.index[e + ahead] * apart);
+    }
     for (std::size_t p = 0; p < points; ++p, out += 3) {
       const std::uint32_t at = v.index[e * points + p];
       if (at >= v.vertices)
         return e;
       std::memcpy(out, bytes + at * apart, 3 * sizeof(float));
     }
+  }
   return end;
 }
 
-void fetch_rows(const view &v, const kind_info &kind, std::size_t begin, std::size_t end, float *out) {
+void fetch_rows(const view &v, const kind_info &kind, std::size_t begin, std::size_t end, float *out,
+                const std::uint32_t *list) {
   const std::size_t row = row_bytes(v, kind), apart = stride(v, kind);
   const auto *bytes = reinterpret_cast<const char *>(v.data);
   auto *to = reinterpret_cast<char *>(out);
+  if (list) {
+    for (std::size_t i = begin; i < end; ++i, to += row)
+      std::memcpy(to, bytes + list[i] * apart, row);
+    return;
+  }
   if (apart == row && begin < end) {
     std::memcpy(to, bytes + begin * row, (end - begin) * row);
     return;
@@ -87,17 +106,25 @@ status check_rows(const kind_info &kind, const float *rows, std::size_t count) {
   return status::ok;
 }
 
-status gather(const view &elements, const kind_info &kind, const pose &at, std::size_t begin, std::size_t end,
-              float *out) {
+std::size_t fetch(const view &elements, const kind_info &kind, const pose &at, std::size_t begin, std::size_t end,
+                  float *out, const std::uint32_t *list) {
   std::size_t fetched = end;
   if (!elements.index)
-    fetch_rows(elements, kind, begin, end, out);
+    fetch_rows(elements, kind, begin, end, out, list);
   else if (kind.points == 3)
     fetched = fetch_indexed<3>(elements, kind, begin, end, out);
+  else if (kind.points == 1)
+    fetched = fetch_indexed<1>(elements, kind, begin, end, out);
   else
     fetched = fetch_indexed<0>(elements, kind, begin, end, out);
   if (!at.identity())
     move_rows(kind, at, out, fetched - begin);
+  return fetched;
+}
+
+status gather(const view &elements, const kind_info &kind, const pose &at, std::size_t begin, std::size_t end,
+              float *out, const std::uint32_t *list) {
+  const std::size_t fetched = fetch(elements, kind, at, begin, end, out, list);
   const status s = check_rows(kind, out, fetched - begin);
   return s == status::ok && fetched < end ? status::bad_index : s;
 }

@@ -21,10 +21,16 @@ const float *rows_in_place(const view &elements, const kind_info &kind, const po
 // Whether these rows are finite and obey the rule of the kind: ok or bad_value.
 status check_rows(const kind_info &kind, const float *rows, std::size_t count);
 
+// Writes the elements [begin, end) as rows, the first to out[0], and returns `end`, or the first of which an index lies beyond
+// the vertices; it and what follows is not written. The pose must be movable(). With a list, for views without an index, they
+// are list[begin] and so on.
+std::size_t fetch(const view &elements, const kind_info &kind, const pose &at, std::size_t begin, std::size_t end,
+                  float *out, const std::uint32_t *list = nullptr);
+
 // Writes the elements [begin, end) as rows, the first to out[0], and returns ok, or bad_index or bad_value if one of
-// them is bad; nothing out of bounds is read. The pose must be movable().
+// them is bad; nothing out of bounds is read. The pose and the list are as those of fetch().
 status gather(const view &elements, const kind_info &kind, const pose &at, std::size_t begin, std::size_t end,
-              float *out);
+              float *out, const std::uint32_t *list = nullptr);
 
 } // namespace meetc
 

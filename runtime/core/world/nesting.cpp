@@ -44,7 +44,7 @@ private:
     std::copy_n(set_.rows + block * lanes * fields, filled * fields, rows_.data());
     move_rows(kind, body_.at, rows_.data(), filled);
     box_block boxes;
-    box_rows(kind, rows_.data(), filled, boxes);
+    box_rows(kind, rows_.data(), filled, &boxes);
     for (std::uint32_t mask = touching(boxes, ray_); mask != 0; mask &= mask - 1)
       sum_ += body_.winding(point_, rows_.data() + static_cast<std::size_t>(std::countr_zero(mask)) * fields, 1);
   }
@@ -72,12 +72,13 @@ struct sides {
   std::string undefined; // why it is not known
 };
 
-sides sides_of(const standing_body &inner, const standing_body &outer) {
+sides sides_of(const standing_body &inner, const standing_body &outer, const execution &on) {
   sides found;
   const element_set &of = inner.shape.set(), &around = outer.shape.set();
   const box bounds = posed_box(outer.at, around.around, around.longest);
   std::vector<float> row(static_cast<std::size_t>(of.kind->fields));
-  for (const set_topology::corner &c : inner.shape.topology().parts) {
+  for (const set_topology::corner &c : inner.shape.topology(on.stop).parts) {
+    on.go_on();
     std::copy_n(of.rows + c.slot * row.size(), row.size(), row.data());
     move_rows(*of.kind, inner.at, row.data(), 1);
     float point[3];
@@ -86,7 +87,7 @@ sides sides_of(const standing_body &inner, const standing_body &outer) {
       found.out = true;
       continue;
     }
-    if (const std::optional<std::uint32_t> open = outer.shape.topology().open) {
+    if (const std::optional<std::uint32_t> open = outer.shape.topology(on.stop).open) {
       found.undefined = element_of(outer, *open) + " has an edge where the surface is open or not oriented";
       break;
     }
@@ -106,8 +107,8 @@ sides sides_of(const standing_body &inner, const standing_body &outer) {
 // Both boundaries consist of pieces that lie inside or outside the other body, since none lies on it. The interiors of a and b
 // have points in common iff some piece lies inside the other body; a has points that b lacks iff a piece of a lies outside or
 // one of b inside; and b likewise.
-std::optional<nesting_found> nesting_of(const standing_body &a, const standing_body &b) {
-  const sides of_a = sides_of(a, b), of_b = sides_of(b, a);
+std::optional<nesting_found> nesting_of(const standing_body &a, const standing_body &b, const execution &on) {
+  const sides of_a = sides_of(a, b, on), of_b = sides_of(b, a, on);
   for (const sides *const s : {&of_a, &of_b})
     if (!s->undefined.empty())
       return nesting_found{nesting::unknown, s->undefined};

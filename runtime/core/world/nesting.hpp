@@ -5,6 +5,7 @@
 #ifndef MEETC_CORE_WORLD_NESTING_HPP
 #define MEETC_CORE_WORLD_NESTING_HPP
 
+#include "meet/core/threads/threads.hpp"
 #include "meet/core/world/world.hpp"
 
 #include <optional>
@@ -28,8 +29,8 @@ struct nesting_found {
   std::string why; // of unknown
 };
 
-// None: they are apart. The bodies do not touch.
-std::optional<nesting_found> nesting_of(const standing_body &a, const standing_body &b);
+// None: they are apart. The bodies do not touch. Throws `cancelled`.
+std::optional<nesting_found> nesting_of(const standing_body &a, const standing_body &b, const execution &on);
 
 } // namespace meetc
 

@@ -129,16 +129,18 @@ std::vector<box> world::bounds() const {
 }
 
 std::vector<near_bodies> world::near(std::span<const std::uint32_t> of) const {
-  return under_standard_word([&] { return near_pairs(bounds(), of); });
+  return under_standard_word([&] { return near_pairs(bounds(), of, 1); });
 }
 
-std::vector<near_bodies> world::near_pairs(std::span<const box> bounds, std::span<const std::uint32_t> of) const {
+std::vector<near_bodies> world::near_pairs(std::span<const box> bounds, std::span<const std::uint32_t> of,
+                                           const execution &on) const {
   std::vector<std::uint8_t> asked(bodies_.size(), 0);
   for (const std::uint32_t body : of)
     asked.at(body) = 1;
   std::vector<near_bodies> out;
   const bounds_of_bodies all(bounds);
-  for (std::uint32_t a = 0; a < bodies_.size(); ++a)
+  for (std::uint32_t a = 0; a < bodies_.size(); ++a) {
+    on.go_on();
     all.after(a, [&](std::size_t other) {
       const auto b = static_cast<std::uint32_t>(other);
       const bool is_asked = of.empty() || asked[a] != asked[b];
@@ -146,29 +148,30 @@ std::vector<near_bodies> world::near_pairs(std::span<const box> bounds, std::spa
           !ignored_.contains({a, b}))
         out.push_back({a, b, predicate_of(bodies_[a], bodies_[b])});
     });
+  }
   return out;
 }
 
 // Poses each body that is near another, with the elements that lie near that one.
-void world::pose_shapes(std::span<const box> bounds, std::span<const near_bodies> pairs, int threads,
+void world::pose_shapes(std::span<const box> bounds, std::span<const near_bodies> pairs, const execution &on,
                         std::vector<prepared> &shapes) const {
   std::vector<std::vector<std::uint32_t>> near(bodies_.size());
   for (const near_bodies &p : pairs)
     near[p.a].push_back(p.b), near[p.b].push_back(p.a);
   std::vector<std::vector<box>> parts(bodies_.size());
-  for_chunks(threads, bodies_.size(), 1, [&](int, std::size_t i, std::size_t) {
+  for_chunks(on, bodies_.size(), 1, [&](int, std::size_t i, std::size_t) {
     if (!near[i].empty())
       parts[i] = parts_of(bodies_[i].shape->set(), bodies_[i].at);
   });
   shapes.resize(bodies_.size());
-  for_chunks(threads, bodies_.size(), 1, [&](int, std::size_t i, std::size_t) {
+  for_chunks(on, bodies_.size(), 1, [&](int, std::size_t i, std::size_t) {
     if (near[i].empty())
       return;
     std::vector<box> to;
     for (const std::uint32_t other : near[i])
       std::ranges::copy_if(parts[other], std::back_inserter(to), [&](const box &b) { return !apart(b, bounds[i]); });
     try {
-      shapes[i] = posed(*bodies_[i].shape, bodies_[i].at, to, std::move(shapes[i]));
+      shapes[i] = posed(*bodies_[i].shape, bodies_[i].at, to, std::move(shapes[i]), on.stop);
     } catch (const input_error &e) {
       throw input_error(e.where, bodies_[i].shape->kind(), "body " + bodies_[i].name + ", ");
     }
@@ -181,6 +184,7 @@ result world::collide_pair(const near_bodies &p, std::span<const prepared> shape
   of_pair.want = options.want;
   of_pair.threads = threads;
   of_pair.box = options.box;
+  of_pair.stop = options.stop;
   of_pair.owner_a = bodies_[p.first()].owners, of_pair.owner_b = bodies_[p.second()].owners;
   return collide(shapes[p.first()], shapes[p.second()], *p.by.predicate, options.precision, of_pair);
 }
@@ -199,16 +203,17 @@ void world::require_nesting(const world_options &options) const {
 std::vector<nested_bodies> world::nested(std::span<const near_bodies> apart, const world_options &options) const {
   return under_standard_word([&] {
     require_nesting(options);
-    return nested_pairs(apart, options.first, thread_count(options.threads));
+    return nested_pairs(apart, options.first, execution_on(options.threads, options.stop));
   });
 }
 
-std::vector<nested_bodies> world::nested_pairs(std::span<const near_bodies> apart, bool first, int threads) const {
+std::vector<nested_bodies> world::nested_pairs(std::span<const near_bodies> apart, bool first,
+                                               const execution &on) const {
   std::vector<std::optional<nesting_found>> found(apart.size());
-  for_chunks(threads, apart.size(), 1, [&](int, std::size_t i, std::size_t) {
+  for_chunks(on, apart.size(), 1, [&](int, std::size_t i, std::size_t) {
     const entry &a = bodies_[apart[i].a], &b = bodies_[apart[i].b];
     found[i] = nesting_of({a.name, *a.shape, a.at, a.owners, winding_of(all_, a.shape->kind())},
-                          {b.name, *b.shape, b.at, b.owners, winding_of(all_, b.shape->kind())});
+                          {b.name, *b.shape, b.at, b.owners, winding_of(all_, b.shape->kind())}, on);
   });
   std::vector<nested_bodies> out;
   for (std::size_t i = 0; i < apart.size(); ++i) {
@@ -223,24 +228,24 @@ std::vector<nested_bodies> world::nested_pairs(std::span<const near_bodies> apar
 
 world_answer world::ask(const world_options &options) const {
   const auto start = clock::now();
-  const int threads = thread_count(options.threads);
+  const execution on = execution_on(options.threads, options.stop);
   if (options.nested)
     require_nesting(options);
   const std::vector<box> bounds = this->bounds();
-  const std::vector<near_bodies> pairs = near_pairs(bounds, options.of);
+  const std::vector<near_bodies> pairs = near_pairs(bounds, options.of, on);
   std::vector<prepared> shapes;
   {
     const std::scoped_lock hold(*lock_);
     shapes = std::move(spare_);
   }
-  pose_shapes(bounds, pairs, threads, shapes);
+  pose_shapes(bounds, pairs, on, shapes);
   world_answer out;
   out.near = pairs.size();
   out.pose_seconds = seconds_since(start);
 
   // Many pairs share the threads, and few have all of them each. Pairs are begun in their order, and those that were begun are
   // ended, so that the first to touch is the same for any number of threads.
-  const bool together = pairs.size() >= 2 * static_cast<std::size_t>(threads);
+  const bool together = pairs.size() >= 2 * static_cast<std::size_t>(on.threads);
   std::mutex lock;
   std::vector<std::uint8_t> touch(pairs.size(), 0);
   chunk_counter counter(pairs.size(), 1);
@@ -251,7 +256,7 @@ world_answer world::ask(const world_options &options) const {
         options.progress(counter.fraction());
         next = clock::now() + std::chrono::milliseconds(100);
       }
-      result r = collide_pair(pairs[i], shapes, options, together ? 1 : threads);
+      result r = collide_pair(pairs[i], shapes, options, together ? 1 : on.threads);
       const std::scoped_lock hold(lock);
       out.candidates += r.candidates;
       if (r.count == 0)
@@ -262,7 +267,7 @@ world_answer world::ask(const world_options &options) const {
         counter.close();
     }
   };
-  run_workers(together ? counter.workers(threads) : 1, counter, body);
+  run_workers(together ? counter.workers(on.threads) : 1, counter, body);
   std::ranges::sort(out.touching, {}, [](const touching_bodies &t) { return std::pair(t.a, t.b); });
   if (options.first && out.touching.size() > 1)
     out.touching.resize(1);
@@ -271,7 +276,7 @@ world_answer world::ask(const world_options &options) const {
     for (std::size_t i = 0; i < pairs.size(); ++i)
       if (touch[i] == 0)
         apart.push_back(pairs[i]);
-    out.nested = nested_pairs(apart, options.first, threads);
+    out.nested = nested_pairs(apart, options.first, on);
   }
   const std::scoped_lock hold(*lock_);
   spare_ = std::move(shapes);

@@ -23,6 +23,8 @@
 
 namespace meetc {
 
+struct execution;
+
 struct world_options {
   answer_kind want = answer_kind::count; // for each pair of bodies
   rung precision = rung::certified;
@@ -34,6 +36,7 @@ struct world_options {
   int threads = 0;                                    // 0: all cores
   float box = 0;                                      // as collide_options::box
   std::function<void(double fraction)> progress = {}; // on the calling thread, about ten times a second
+  std::stop_token stop = {};                          // as in collide_options
 };
 
 // Two bodies that touch, a < b. In the answer, a's elements (or items) come first.
@@ -104,7 +107,7 @@ public:
   // Throws usage_error where no predicate fits two bodies that are near each other, or is not generated for the
   // precision, or `nested` is asked in the mode "surface", for a precision that may be wrong or of a catalogue without winding
   // numbers; std::out_of_range for a body of options.of that is not there; input_error where an element is not finite in its
-  // pose, or breaks a rule of its kind there; std::bad_alloc.
+  // pose, or breaks a rule of its kind there; std::bad_alloc; cancelled.
   world_answer touching(const world_options &options = {}) const;
   // The pairs of bodies that touching() decides, sorted by a, then b. of: as in the options. Throws likewise.
   std::vector<near_bodies> near(std::span<const std::uint32_t> of = {}) const;
@@ -120,12 +123,13 @@ private:
   };
   choice predicate_of(const entry &a, const entry &b) const;
   std::vector<box> bounds() const;
-  std::vector<near_bodies> near_pairs(std::span<const box> bounds, std::span<const std::uint32_t> of) const;
-  void pose_shapes(std::span<const box> bounds, std::span<const near_bodies> pairs, int threads,
+  std::vector<near_bodies> near_pairs(std::span<const box> bounds, std::span<const std::uint32_t> of,
+                                      const execution &on) const;
+  void pose_shapes(std::span<const box> bounds, std::span<const near_bodies> pairs, const execution &on,
                    std::vector<prepared> &shapes) const;
   result collide_pair(const near_bodies &p, std::span<const prepared> shapes, const world_options &options,
                       int threads) const;
-  std::vector<nested_bodies> nested_pairs(std::span<const near_bodies> apart, bool first, int threads) const;
+  std::vector<nested_bodies> nested_pairs(std::span<const near_bodies> apart, bool first, const execution &on) const;
   void require_nesting(const world_options &options) const;
   world_answer ask(const world_options &options) const;
 

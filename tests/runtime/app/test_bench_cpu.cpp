@@ -40,6 +40,12 @@ TEST_CASE("bench cpu: every family, and certified answers that are those of exac
     }
   REQUIRE(table(all, "many_balls").size() == 1);
   CHECK(table(all, "many_balls")[0]["certified_differs"] == 0);
+  CHECK(table(all, "refit").size() == 18);
+  for (const json &row : table(all, "refit")) {
+    CHECK(row["differs"] == 0);
+    CHECK(row["refit_ms"] > 0);
+  }
+  CHECK(table(all, "cancel").size() == 4);
   for (const json &row : table(all, "families"))
     CHECK(row["differ"] == 0);
   CHECK(table(all, "families").size() % 6 == 0);

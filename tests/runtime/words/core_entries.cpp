@@ -1,5 +1,6 @@
 #include "entries.hpp"
 #include "formula_calls.hpp"
+#include "live_calls.hpp"
 #include "sets.hpp"
 
 #include "meet/core/query/collide.hpp"
@@ -23,18 +24,6 @@ constexpr rung some_rungs[] = {rung::fp32, rung::exact, rung::certified};
 constexpr answer_kind all_answers[] = {answer_kind::pairs, answer_kind::count, answer_kind::counts, answer_kind::flags,
                                        answer_kind::any};
 const std::vector<index_pair> some_pairs = {{0, 1}, {2, 0}, {2, 2}};
-
-void add(caller &to, const result &r) {
-  to.add_all(r.pairs), to.add(r.count), to.add_all(r.flags.a), to.add_all(r.flags.b), to.add_all(r.counts.a);
-  to.add_all(r.counts.b), to.add_all(r.first_met), to.add(r.candidates), to.add_all(r.rungs.unsure, bounded_rungs);
-  to.add(r.rungs.left_box_a), to.add(r.rungs.left_box_b);
-}
-void add(caller &to, const prepared &p) {
-  const element_set &s = p.set();
-  to.add(p.elements()), to.add(s.elements), to.add(s.reach), to.add(s.longest), to.add(s.grid), to.add(s.around);
-  to.add_all(s.rows, s.elements * static_cast<std::size_t>(s.kind->fields));
-  to.add_all(s.order, s.elements);
-}
 
 // ---- queries ----
 
@@ -331,6 +320,7 @@ void call_text(caller &under) {
 
 constexpr entry all[] = {
     {"collide", call_collide},
+    {"collide_in_chunks", call_collide_in_chunks},
     {"pairs", call_pairs},
     {"workspace", call_workspace},
     {"require_first_met", call_require_first_met},
@@ -357,6 +347,13 @@ constexpr entry all[] = {
     {"prepared::whole", call_members_of_prepared},
     {"prepared::prepared", call_prepared},
     {"prepared::topology", call_topology},
+    {"refuse", call_refuse},
+    {"cancelled::cancelled", call_cancelled},
+    {"moving_set::moving_set", call_moving_set},
+    {"moving_set::update", call_moving_set},
+    {"moving_set::reorder", call_moving_set},
+    {"moving_set::now", call_moving_set},
+    {"moving_set::looseness", call_moving_set},
     {"prepared::normalised", call_normalised},
     {"input_error::input_error", call_input_error},
     {"check", call_check},

@@ -67,7 +67,9 @@ app::command add_cpu(CLI::App &bench, const app::kernel_library &kernels) {
       c, *q,
       "A folder with bunny_69k.ply and armadillo_345k.ply (with --quick bunny_5k.ply and armadillo_5k.ply); without "
       "it built-in bodies of about the same sizes serve");
-  add_only(c, *q, "Measure the families alone whose names hold this: precision, candidates, balls, bodies, families");
+  add_only(c, *q,
+           "Measure the families alone whose names hold this: precision, candidates, balls, bodies, refit, cancel, "
+           "families");
   add_instruction_set(c, *q, "Measure one alone; auto, the default: each that runs here, and queries with the best");
   add_threads(c, *q, "Threads of queries; 0 is all cores, 1 the default");
   add_repetitions(c, *q, "How often the works of a table take turns, by default 21; fewer where they take long");

@@ -48,6 +48,8 @@ void measure_candidates(const cpu_context &c, cpu_result &to);   // queries, bes
 void measure_balls(const cpu_context &c, cpu_result &to);        // many balls
 void measure_moved_bodies(const cpu_context &c, cpu_result &to); // many bodies
 void measure_contacts(const cpu_context &c, cpu_result &to);     // where meshes meet, and cross themselves
+void measure_refit(const cpu_context &c, cpu_result &to);        // sets that move
+void measure_cancelling(const cpu_context &c, cpu_result &to);   // calls that are cancelled
 void measure_families(const cpu_context &c, cpu_result &to);     // triangle pairs by families, beside CGAL
 
 } // namespace meetc::bench
