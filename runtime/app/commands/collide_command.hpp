@@ -26,7 +26,7 @@ struct collide_request {
   bool self = false, merge = true; // A with itself; its corners with equal coordinates are one
   std::optional<std::filesystem::path> pairs, first, contacts, colour, image, page;
   bool contacts_float64 = false, contacts_embedded = false;
-  picture_view view; // of the image
+  picture_view view;                 // of the image
   std::vector<std::string> evaluate; // a formula and the file for its values, or none
   int threads = 0;
   int devices = 1;

@@ -22,9 +22,8 @@ struct family {
 };
 constexpr std::array families{family{"precision", measure_precision}, family{"candidates", measure_candidates},
                               family{"balls", measure_balls},         family{"bodies", measure_moved_bodies},
-                              family{"contacts", measure_contacts},
-                              family{"refit", measure_refit},         family{"cancel", measure_cancelling},
-                              family{"families", measure_families}};
+                              family{"contacts", measure_contacts},   family{"refit", measure_refit},
+                              family{"cancel", measure_cancelling},   family{"families", measure_families}};
 
 constexpr const char *rules =
     "Each figure is from one run in which all works of a table take turns; the median counts. With one thread times "
