@@ -101,7 +101,7 @@ struct row {
 
 row measure_movement(const cpu_context &c, const std::string &name, const io::element_set &mesh,
                      const io::element_set &other, const movement &how) {
-  const view first = app::view_of(mesh);
+  const view first = io::view_of(mesh);
   std::vector<float> at_first = mesh.data;
   if (how.apart) {
     at_first.clear();
@@ -217,7 +217,7 @@ void measure_cancelling(const cpu_context &c, cpu_result &to) {
   const two_sets sets = c.sets.middle_in_large();
   const predicate_info &p = *app::choose(c.best(), *sets.first.kind, *sets.second.kind, {}, {}).predicate;
   const prepared a = app::prepare(sets.first), b = app::prepare(sets.second);
-  const view of_b = app::view_of(sets.second);
+  const view of_b = io::view_of(sets.second);
   collide_options o;
   o.threads = c.threads;
   const std::vector<index_pair> pairs = collide(b, b, p, rung::certified, o).pairs;
