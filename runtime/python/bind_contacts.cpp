@@ -46,8 +46,9 @@ py::dict find(const side &a, const side &b, const predicate_info &predicate, std
   contact_set<Real> c;
   {
     const py::gil_scoped_release others_run;
-    c = contacts<Real>(a.elements, b.elements, predicate, pairs,
-                       {a.at, b.at, threads, embedded ? &of_one_mesh() : nullptr});
+    c = contacts<Real>(
+        a.elements, b.elements, predicate, pairs,
+        {.at_a = a.at, .at_b = b.at, .threads = threads, .embedded_by = embedded ? &of_one_mesh() : nullptr});
   }
   const auto nodes = static_cast<py::ssize_t>(c.nodes()), pieces = static_cast<py::ssize_t>(c.pieces.size());
   py::dict out;

@@ -94,10 +94,14 @@ private:
   // The pairs of these items of a; false: there is no room for them. The pairs of one item are never too many.
   bool ask(std::uint64_t first, std::uint64_t some, result &found) {
     const bool all = some == items_;
-    std::optional<set_part> part;
+    std::optional<set_part> part, walked_part;
     if (!all)
       part.emplace(query_.a(), options_.owner_a, first, first + some, query_.on());
+    const bool normal = &query_.a() != &query_.walked_a();
+    if (!all && normal)
+      walked_part.emplace(query_.walked_a(), options_.owner_a, first, first + some, query_.on());
     const element_set &of = all ? query_.a() : part->set();
+    const element_set &walked = all ? query_.walked_a() : normal ? walked_part->set() : of;
     const stored_operand stored = all ? query_.stored_a() : part->stored(query_.by().stored_a, *predicate_.a);
     const auto answers = answers_for(predicate_, answer_kind::pairs, false, options_.owner_a, options_.owner_b);
     bounded_answer bounded(*answers.front(), some > 1 ? room_ : std::numeric_limits<std::uint64_t>::max());
@@ -107,7 +111,7 @@ private:
                  share = static_cast<double>(some) / static_cast<double>(items_);
     const std::function<void(double)> progress = [&](double f) { options_.progress(begin + share * f); };
     try {
-      const tally total = query_.run(of, stored, all && query_.half(), taker,
+      const tally total = query_.run(walked, of, stored, all && query_.half(), taker,
                                      options_.progress ? progress : std::function<void(double)>());
       bounded.finish(found);
       found.candidates = total.candidates;

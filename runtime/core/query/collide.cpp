@@ -27,7 +27,7 @@ result find_touching(const prepared &a, const prepared &b, const predicate_info 
     query.start(*answer, query.a());
     takers.push_back(answer.get());
   }
-  const tally total = query.run(query.a(), query.stored_a(), query.half(), takers, options.progress);
+  const tally total = query.run(query.walked_a(), query.a(), query.stored_a(), query.half(), takers, options.progress);
   result r;
   r.candidates = total.candidates;
   r.count = options.want == answer_kind::none ? 0 : total.hits;

@@ -36,9 +36,9 @@ void touching_query::start(query_answer &answer, const element_set &a) const {
   answer.start({a, of_b_.set(), elements_a_, elements_b_, on_});
 }
 
-tally touching_query::run(const element_set &a, const stored_operand &stored_a, bool half,
+tally touching_query::run(const element_set &walked, const element_set &a, const stored_operand &stored_a, bool half,
                           std::span<query_answer *const> takers, const std::function<void(double)> &progress) const {
-  const tree_pairs source(a, of_b_.set(), what_, half);
+  const tree_pairs source(walked, of_b_.given.set(), what_, half);
   const auto report = [](void *context, double fraction) {
     (*static_cast<const std::function<void(double)> *>(context))(fraction);
   };

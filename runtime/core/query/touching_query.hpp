@@ -20,7 +20,9 @@ public:
   touching_query(const prepared &a, const prepared &b, const predicate_info &predicate, rung precision,
                  const collide_options &options);
 
-  // The sets whose rows it reads, and what a stores.
+  // The set that is walked, in the caller's units; the set of the same elements whose rows are decided, which may be normalised;
+  // and what that one stores.
+  const element_set &walked_a() const { return of_a_.given.set(); }
   const element_set &a() const { return of_a_.set(); }
   stored_operand stored_a() const { return of_a_.stored(by_.stored_a, *by_.predicate->a); }
   const cascade &by() const { return by_; }
@@ -28,9 +30,9 @@ public:
   // Whether a and b are one set, of whose pairs half are enough.
   bool half() const { return half_; }
 
-  // Takes the hits of b and of `a`, which are all elements of a or a part of them.
-  tally run(const element_set &a, const stored_operand &stored_a, bool half, std::span<query_answer *const> takers,
-            const std::function<void(double)> &progress) const;
+  // Takes the hits of b and of `a`, which are all elements of a or a part of them; `walked` has the same ones.
+  tally run(const element_set &walked, const element_set &a, const stored_operand &stored_a, bool half,
+            std::span<query_answer *const> takers, const std::function<void(double)> &progress) const;
   // Starts an answer about `a`.
   void start(query_answer &answer, const element_set &a) const;
 

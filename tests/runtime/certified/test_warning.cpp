@@ -7,6 +7,7 @@
 
 #include <cga/cga_runtime.hpp>
 #include <cstdio>
+#include <neighbours/neighbours_runtime.hpp>
 #include <string>
 #include <unistd.h>
 
@@ -30,7 +31,7 @@ std::string said(float box, const fs::path &a, const fs::path &b, const char *pa
   std::FILE *const file = std::fopen((folder() / "stderr.txt").c_str(), "wb");
   REQUIRE(file);
   ::dup2(::fileno(file), STDERR_FILENO);
-  const std::string out = meetc::app::collide(all, q).text;
+  const std::string out = meetc::app::collide(all, neighbours::catalogue(), q).text;
   std::fflush(stderr);
   ::dup2(kept, STDERR_FILENO);
   ::close(kept);

@@ -85,6 +85,36 @@ TEST_CASE("chunks of more pairs than there is room for are found in parts") {
   CHECK(joined(far, far, p, rung::certified, 64, {}).size() == 700 * 700);
 }
 
+// Rows of whole numbers below `size`, times 2^power.
+std::vector<float> lattice(const kind_info &kind, std::size_t n, int size, int power, unsigned seed) {
+  std::mt19937 random(seed);
+  std::vector<float> out(n * static_cast<std::size_t>(kind.fields));
+  for (float &x : out)
+    x = std::ldexp(static_cast<float>(random() % static_cast<unsigned>(size)), power);
+  return out;
+}
+
+TEST_CASE("sets at the ends of float32 have the pairs of sets at 1, whole and in chunks") {
+  for (const char *const name :
+       {"ball_segment", "segment_segment", "segment_triangle", "triangle_triangle", "ball_ball"}) {
+    const predicate_info &p = predicate(name);
+    constexpr std::size_t n = 600;
+    std::vector<index_pair> want;
+    for (const int power : {0, 110, -126, -146}) {
+      CAPTURE(name, power);
+      const auto rows_a = lattice(*p.a, n, 12, power, 3), rows_b = lattice(*p.b, n, 12, power, 4);
+      const prepared a = prepare({.data = rows_a.data(), .elements = n}, *p.a),
+                     b = prepare({.data = rows_b.data(), .elements = n}, *p.b);
+      const std::vector<index_pair> found = collide(a, b, p, rung::certified).pairs;
+      if (power == 0)
+        want = found;
+      CHECK(!found.empty());
+      CHECK(plain(found) == plain(want));
+      CHECK(plain(joined(a, b, p, rung::certified, 100, {})) == plain(want));
+    }
+  }
+}
+
 TEST_CASE("what chunks cannot be is refused") {
   const predicate_info &p = predicate("box_box");
   const std::vector<float> boxes = nested_boxes(10);
