@@ -20,8 +20,8 @@ public:
   touching_query(const prepared &a, const prepared &b, const predicate_info &predicate, rung precision,
                  const collide_options &options);
 
-  // The set that is walked, in the caller's units; the set of the same elements whose rows are decided, which may be normalised;
-  // and what that one stores.
+  // The set that is walked, in the caller's units; the set of the same elements whose rows are decided, which may be
+  // normalised; and what that one stores.
   const element_set &walked_a() const { return of_a_.given.set(); }
   const element_set &a() const { return of_a_.set(); }
   stored_operand stored_a() const { return of_a_.stored(by_.stored_a, *by_.predicate->a); }
