@@ -1,8 +1,8 @@
 #include "meet/picture/text.hpp"
 
 #include <fontconfig/fontconfig.h>
+#include <freetype/freetype.h>
 #include <ft2build.h>
-#include FT_FREETYPE_H
 
 #include <algorithm>
 #include <mutex>

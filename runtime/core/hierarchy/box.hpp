@@ -8,6 +8,7 @@
 #define MEETC_CORE_HIERARCHY_BOX_HPP
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -60,7 +61,7 @@ struct alignas(64) box_block {
     const auto columns = [](const float *at, float *const(&to)[4]) {
       four r[4];
       for (int i = 0; i < 4; ++i)
-        std::memcpy(&r[i], at + 6 * i, sizeof r[i]);
+        std::memcpy(&r[i], at + std::ptrdiff_t{6} * i, sizeof r[i]);
       const four x = __builtin_shufflevector(r[0], r[1], 0, 4, 1, 5),
                  y = __builtin_shufflevector(r[2], r[3], 0, 4, 1, 5),
                  z = __builtin_shufflevector(r[0], r[1], 2, 6, 3, 7),
@@ -76,7 +77,7 @@ struct alignas(64) box_block {
   // Takes the ends lo[3] and hi[3] of one box after another into the first lanes, and makes them finite; the others become
   // empty.
   void take(const float *ends, int filled) {
-    constexpr int sides = 6;
+    constexpr std::ptrdiff_t sides = 6;
     if (filled == lanes)
       for (int i = 0; i < lanes; i += 4)
         turn(ends + sides * i, i);
