@@ -319,6 +319,9 @@ void call_text(caller &under) {
 }
 
 constexpr entry all[] = {
+    {"ask", call_ask},
+    {"chosen", call_ask},
+    {"find_kind", call_ask},
     {"collide", call_collide},
     {"collide_in_chunks", call_collide_in_chunks},
     {"pairs", call_pairs},

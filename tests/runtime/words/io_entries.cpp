@@ -152,7 +152,9 @@ void call_members_of_set(caller &under) {
   std::size_t owner = 0;
   float row[9];
   under([&] { owner = set.owner_of(1), set.row(1, row); });
-  under.add(owner), under.add_all(row, 9);
+  view of;
+  under([&] { of = io::view_of(set); });
+  under.add(owner), under.add_all(row, 9), under.add(of.elements);
 }
 void call_write_ply(caller &under) {
   const io::element_set set = io::read(files()[4], kinds());
@@ -242,6 +244,7 @@ constexpr entry all[] = {
     {"vertex_lists::end_list", call_lists},
     {"vertex_lists::count", call_lists},
     {"rounded_numbers::add", call_rounded},
+    {"view_of", call_members_of_set},
     {"element_set::owner_of", call_members_of_set},
     {"element_set::row", call_members_of_set},
     {"write_ply", call_write_ply},

@@ -2,7 +2,9 @@
 
 #include "sets.hpp"
 
+#include "meet/core/query/ask.hpp"
 #include "meet/core/query/chunks.hpp"
+#include "meet/core/query/find.hpp"
 #include "meet/core/sets/element_set.hpp"
 #include "meet/core/sets/moving_set.hpp"
 
@@ -23,6 +25,25 @@ void add(caller &to, const prepared &p) {
   to.add(p.elements()), to.add(s.elements), to.add(s.reach), to.add(s.longest), to.add(s.grid), to.add(s.around);
   to.add_all(s.rows, s.elements * static_cast<std::size_t>(s.kind->fields));
   to.add_all(s.order, s.elements);
+}
+
+void call_ask(caller &under) {
+  for (const pair_of_sets &p : every_pair_of_sets())
+    for (const rung precision : {rung::fp32, rung::exact, rung::certified}) {
+      how asked;
+      asked.predicate = p.by.name, asked.precision = precision;
+      asked.with.threads = 2;
+      result r;
+      under([&] { r = ask(cga::catalogue(), p.set_a, p.set_b, asked); });
+      add(under, r);
+      std::optional<choice> by;
+      under([&] { by = chosen(cga::catalogue(), *p.by.a, *p.by.b, asked); });
+      under.add(by ? by->predicate : nullptr);
+    }
+  const kind_info *kind = nullptr;
+  under([&] { kind = &find_kind(cga::catalogue(), "triangle"); });
+  under.add(kind);
+  under([&] { kind = &find_kind(cga::catalogue(), "none"); });
 }
 
 void call_collide_in_chunks(caller &under) {

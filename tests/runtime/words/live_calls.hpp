@@ -1,4 +1,4 @@
-// The calls of programs that live long: sets that move, and results in chunks; and what an answer and a set hold.
+// Questions by name; the calls of programs that live long: sets that move, and results in chunks; and what an answer and a set hold.
 #ifndef MEETC_TESTS_RUNTIME_WORDS_LIVE_CALLS_HPP
 #define MEETC_TESTS_RUNTIME_WORDS_LIVE_CALLS_HPP
 
@@ -11,6 +11,7 @@ namespace words_test {
 void add(caller &to, const meetc::result &r);
 void add(caller &to, const meetc::prepared &p);
 
+void call_ask(caller &under);
 void call_collide_in_chunks(caller &under);
 void call_moving_set(caller &under);
 void call_refuse(caller &under);

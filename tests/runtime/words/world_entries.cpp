@@ -30,6 +30,14 @@ void call_fitting(caller &under) {
     }
 }
 
+void call_turned(caller &under) {
+  static const result of =
+      collide(prepare(view_of(triangles(1), *touching().a), *touching().a),
+              prepare(view_of(triangles(2), *touching().b), *touching().b), touching(), rung::certified);
+  result r;
+  under([&] { r = turned(of); });
+  under.add_all(r.pairs);
+}
 void call_self_pairs(caller &under) {
   const view of = view_of(triangles(1), *touching().a);
   const prepared set = prepare(of, *touching().a);
@@ -133,6 +141,7 @@ void call_world(caller &under) {
 constexpr entry all[] = {
     {"fitting", call_fitting},
     {"first_for", call_fitting},
+    {"turned", call_turned},
     {"self_pairs", call_self_pairs},
     {"contacts", call_contacts},
     {"contact_set::nodes", call_contacts},
