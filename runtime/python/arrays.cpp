@@ -59,7 +59,7 @@ std::span<const std::uint32_t> owners_of(const std::optional<py::array> &owner) 
 }
 
 std::span<const index_pair> pairs_of(const py::array &pairs) {
-  require_packed(pairs, "i", 4, 2, "pairs");
+  require_packed(pairs, "iu", 4, 2, "pairs");
   if (pairs.shape(1) != 2)
     throw py::type_error("pairs: a row has two columns");
   return {static_cast<const index_pair *>(pairs.data()), static_cast<std::size_t>(pairs.shape(0))};

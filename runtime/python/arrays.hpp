@@ -37,7 +37,7 @@ pose place_of(const py::array &at, const kind_info &kind);
 // The item of each element, 32-bit; empty without an array.
 std::span<const std::uint32_t> owners_of(const std::optional<py::array> &owner);
 
-// Rows of two elements, int32.
+// Rows of two elements, 32-bit.
 std::span<const index_pair> pairs_of(const py::array &pairs);
 
 // An array of As over the memory of a vector of numbers of the same size, which it then owns.

@@ -36,13 +36,6 @@ private:
   std::vector<operand_columns> operands_;
 };
 
-inline std::span<const index_pair> pairs_of(const py::array &pairs) {
-  require_packed(pairs, "iu", 4, 2, "pairs");
-  if (pairs.shape(1) != 2)
-    throw py::type_error("pairs: a row has two columns");
-  return {static_cast<const index_pair *>(pairs.data()), static_cast<std::size_t>(pairs.shape(0))};
-}
-
 // The values of a formula as rows: one for each coefficient.
 template <class Number> py::array as_rows(const formula_info &f, formula_values<Number> &&values) {
   return as_array<Number>(std::move(values.numbers), {f.result_count, static_cast<py::ssize_t>(values.count)});

@@ -99,6 +99,9 @@ bodies_report collide_bodies(const catalogue &all, const bodies_request &q) {
   std::vector<fs::path> inputs;
   for (const body_source &b : from.bodies)
     inputs.push_back(b.file);
+  for (const auto *const file : {&q.world, &q.poses, &q.srdf})
+    if (*file)
+      inputs.push_back(**file);
   output_files outputs(inputs);
   if (q.pairs)
     outputs.expect(*q.pairs / "pairs.csv", true);

@@ -207,7 +207,7 @@ void search_neighbours(const mesh_view &mesh, const self_predicates &by, std::ve
 void search_others(const mesh_view &mesh, const query_operand &of, const self_predicates &by,
                    const self_options &options, std::vector<pair_list> &to, self_result &r) {
   const cascade apart(by.apart, rung::certified);
-  const tree_pairs source(of.set(), of.set(), what_rules_out(rung::certified), true);
+  const tree_pairs source(of.given.set(), of.given.set(), what_rules_out(rung::certified), true);
   const strangers only(mesh);
   rising_pairs answer(mesh, to);
   query_answer *const answers[] = {&answer};

@@ -31,7 +31,7 @@ double spread_of(const hierarchy &h) {
     for (int k = 0; k < 3; ++k)
       unit += static_cast<double>(around.hi[k]) - static_cast<double>(around.lo[k]);
   }
-  return unit > 0 ? mean_width(h.levels[1]) / unit : 1;
+  return unit > 0 ? mean_width(h.levels[1]) / unit : 0; // 0: all are one point
 }
 
 } // namespace
@@ -72,6 +72,8 @@ void moving_set::put_in_order(const view &elements, const kind_info &kind, const
 void moving_set::require_alike(const view &moved) const {
   if (moved.elements != now_.elements() || (vertices_ > 0 && moved.vertices != vertices_))
     throw usage_error("a set that moves keeps its number of elements and of vertices");
+  if (vertices_ == 0 && moved.index && moved.elements > 0)
+    throw usage_error("a set that moves keeps its rows, and has no index now");
 }
 
 // Writes the points in their places; false: one is not finite.
@@ -173,7 +175,10 @@ void moving_set::reorder(const view &moved, const pose &at, int threads, const s
 }
 
 double moving_set::looseness() const {
-  return under_standard_word([&] { return spread_of(now_.set().boxes) / spread_; });
+  return under_standard_word([&] {
+    const double now = spread_of(now_.set().boxes);
+    return now == spread_ ? 1 : now / spread_; // both may be 0
+  });
 }
 
 } // namespace meetc

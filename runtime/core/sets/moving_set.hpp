@@ -33,7 +33,7 @@ public:
   operator const prepared &() const { return now_; } // NOLINT: a moving set goes where a prepared one does
 
   // How much larger the boxes around sixteen neighbours are, beside those of elements, than when they were put in order: 1
-  // then, and about 1 while neighbours stay neighbours.
+  // then, and about 1 while neighbours stay neighbours. Where each sixteen were one point, it is infinite once they part.
   double looseness() const;
 
 private:

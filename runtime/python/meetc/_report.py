@@ -6,7 +6,7 @@ import html
 import json
 import os
 import re
-import tempfile
+import secrets
 from dataclasses import dataclass
 
 import numpy as np
@@ -36,14 +36,11 @@ class Report:
         if os.path.splitext(name)[1].lower() not in (".html", ".htm"):
             better = os.path.splitext(name)[0] + ".html"
             raise InputError(f"path: {name!r} is no name of a page; name it {better!r}", array="path", value=name)
-        folder, own = os.path.split(name)
-        handle, temporary = tempfile.mkstemp(prefix=own, dir=folder or ".")
+        temporary = os.path.join(os.path.dirname(name), f".meet-{secrets.token_hex(8)}")
+        handle = os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666)
         try:
             with open(handle, "w", encoding="utf-8", newline="") as file:
                 file.write(self.html)
-            mask = os.umask(0)
-            os.umask(mask)
-            os.chmod(temporary, 0o666 & ~mask)
             os.replace(temporary, name)
         except BaseException:
             os.unlink(temporary)
@@ -99,6 +96,11 @@ def _of_one(mesh: Meshlike, precision: Precision, merge: bool, threads: int) -> 
 def _as_side(of: Set, letter: str) -> _native._Side:
     s = of._source
     return (
-        s.native_kind(), s.numbers, s.corners, s.owner, s.items, of._pose, of.name or letter, s.rounded.numbers,
-        s.rounded.largest, list(s.notes),
+        s.native_kind(), s.numbers, s.corners, s.owner, s.items, of._pose, _text(of.name or letter), s.rounded.numbers,
+        s.rounded.largest, [_text(note) for note in s.notes],
     )
+
+
+def _text(name: str) -> str:
+    """The name, with U+FFFD for bytes of a file's name that are no UTF-8."""
+    return os.fsencode(name).decode("utf-8", "replace")

@@ -186,3 +186,20 @@ TEST_CASE("a moving set may be empty, and small, and goes where a prepared one d
   CHECK(collide(one, one, p, rung::certified).count == 1);
   CHECK(collide(none, one, p, rung::certified).count == 0);
 }
+
+TEST_CASE("the looseness of points that lie on each other is a number") {
+  const predicate_info &p = predicate("point_triangle");
+  std::vector<float> rows(3 * 32);
+  for (std::size_t i = 16; i < 32; ++i)
+    rows[3 * i] = 1;
+  moving_set moving({.data = rows.data(), .elements = 32}, *p.a);
+  CHECK(moving.looseness() == 1);
+  moving.update({.data = rows.data(), .elements = 32});
+  CHECK(moving.looseness() == 1);
+  for (std::size_t i = 0; i < 32; ++i)
+    rows[3 * i + 1] = static_cast<float>(i);
+  moving.update({.data = rows.data(), .elements = 32});
+  CHECK(moving.looseness() > 1);
+  const std::uint32_t index[32] = {};
+  CHECK_THROWS_AS(moving.update({.data = rows.data(), .vertices = 1, .index = index, .elements = 32}), usage_error);
+}

@@ -150,6 +150,16 @@ TEST_CASE("a report of many bodies lists those that lie in one another, and says
   CHECK(has(page.header["notes"].dump(), "Unknown whether big or open is inside the other"));
 }
 
+TEST_CASE("a report does not take the place of a file that is read") {
+  put_mesh("kept.ply", meetc::bodies::icosphere(1));
+  const std::string text = R"({"bodies": [{"name": "one", "file": "kept.ply"}, {"name": "two", "file": "kept.ply"}]})";
+  const std::string cell = put("cell", text),
+                    poses = put("poses", "frame,body,x,y,z,qw,qx,qy,qz\n0,one,0,0,0,1,0,0,0\n");
+  CHECK(has(complaint({"collide", "--world", cell, "--report", cell}), "is an input and would be overwritten"));
+  CHECK(get(at("cell")) == text);
+  CHECK(has(complaint({"collide", "--world", cell, "--poses", poses, "--report", poses}), "would be overwritten"));
+}
+
 TEST_CASE("a report of balls shows the witness of each pair") {
   const std::string one = put("one.csv", "x,y,z,radius\n0,0,0,1\n"),
                     two = put("two.csv", "x,y,z,radius\n1,0,0,1\n1.5,0,0,1\n");
