@@ -1,4 +1,4 @@
-// Questions by name; the calls of programs that live long: sets that move, and results in chunks; and what an answer and a set hold.
+// Questions by name; calls of programs that live long: sets that move, and results in chunks; and what answers and sets hold.
 #ifndef MEETC_TESTS_RUNTIME_WORDS_LIVE_CALLS_HPP
 #define MEETC_TESTS_RUNTIME_WORDS_LIVE_CALLS_HPP
 
