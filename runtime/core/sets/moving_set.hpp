@@ -23,7 +23,8 @@ public:
              const std::stop_token &stop = {});
 
   // The same elements in other places: as many elements and vertices as at first. An index is not read again: elements keep
-  // their vertices. Throws as prepare() does, and usage_error for another number of elements or vertices.
+  // their vertices. Throws as prepare() does, and usage_error for another number of elements or vertices, or for
+  // an index where there was none.
   void update(const view &moved, const pose &at = {}, int threads = 0, const std::stop_token &stop = {});
   // The same, and puts them in order again, as prepare() does and in its time.
   void reorder(const view &moved, const pose &at = {}, int threads = 0, const std::stop_token &stop = {});
