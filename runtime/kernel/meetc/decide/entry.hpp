@@ -10,12 +10,26 @@
 #if defined(__CUDACC__)
 #include <meetc/decide/later_rungs.hpp>
 #endif
+#if !defined(NDEBUG)
+#include <cassert>
+#endif
 
 MEETC_NAMESPACE(meetc) {
 
+// A debug build asserts on the host that an operand is valid; with NDEBUG nothing is left of this.
+template <class K> MEETC_HD MEETC_INLINE void assert_valid([[maybe_unused]] const K &operand) {
+#if !defined(NDEBUG) && !defined(__CUDA_ARCH__)
+  if constexpr (requires { valid(operand); })
+    assert(valid(operand) && "an operand has a number that is not finite, or breaks the rule of its kind");
+#endif
+}
+
 template <class P, class A, class B> struct rows_of {
   float a[P::inputs_a], b[P::inputs_b];
-  MEETC_HD MEETC_INLINE rows_of(const A &x, const B &y) { to_row(x, a), to_row(y, b); }
+  MEETC_HD MEETC_INLINE rows_of(const A &x, const B &y) {
+    assert_valid(x), assert_valid(y);
+    to_row(x, a), to_row(y, b);
+  }
 };
 // Reads the rows and calls f(row_a, row_b), out of line.
 template <class P, class A, class B, class F>
