@@ -10,8 +10,8 @@ import subprocess
 import closure
 
 # Debian's packages whose headers and libraries the project compiles with (./dev installs them).
-PACKAGES = ["catch2", "libcgal-dev", "libcli11-dev", "libflint-dev", "libfmt-dev", "libgmp-dev", "libpng-dev",
-            "libtomlplusplus-dev", "nlohmann-json3-dev"]
+PACKAGES = ["catch2", "libcgal-dev", "libcli11-dev", "libflint-dev", "libfmt-dev", "libfontconfig-dev", "libfreetype-dev",
+            "libgmp-dev", "libpng-dev", "libtinyxml2-dev", "libtomlplusplus-dev", "nlohmann-json3-dev", "zlib1g-dev"]
 LIBRARIES_OF_TOOLS = ["libcoq-flocq", "libcoq-gappa"]
 # Definitions that differ between machines and commands, and change no test: which further instruction sets are compiled,
 # whether CUDA is, and where data lie.
