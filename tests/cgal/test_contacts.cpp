@@ -45,13 +45,6 @@ meetc::io::element_set load(const std::filesystem::path &path, const meetc::io::
   options.move = move;
   return meetc::io::read(path, kinds, options);
 }
-meetc::view view_of(const meetc::io::element_set &s) {
-  return {.data = s.data.data(),
-          .vertices = s.vertices,
-          .stride_bytes = 12,
-          .index = s.index.data(),
-          .elements = s.elements};
-}
 
 // Compares the curves of two meshes in general position. Returns the number of pairs, or nothing where a mesh is not embedded
 // or no manifold.
