@@ -30,7 +30,11 @@ template <class Real> class finding {
 public:
   finding(const predicate_info &predicate, std::span<const index_pair> pairs, const execution &on)
       : predicate_(predicate), on_(on) {
-    out_.pairs.assign(pairs.begin(), pairs.end());
+    out_.pairs.reserve(pairs.size());
+    for_strips(on_, pairs.size(), [&](std::size_t begin, std::size_t end) {
+      const std::span<const index_pair> strip = pairs.subspan(begin, end - begin);
+      out_.pairs.insert(out_.pairs.end(), strip.begin(), strip.end());
+    });
   }
 
   contact_set<Real> run(contact_steps<Real> &steps, const view &a, const view &b, const contact_options &options) {
@@ -62,11 +66,25 @@ private:
     out_.rows_a = touched_by(a, *predicate_.a, options.at_a, out_.pairs, false, in_a, on_);
     out_.rows_b = touched_by(b, *predicate_.b, options.at_b, out_.pairs, true, in_b, on_);
     rows_.reserve(in_a.size());
-    for (std::size_t i = 0; i < in_a.size(); ++i)
-      rows_.push_back({in_a[i], in_b[i]});
+    for_strips(on_, in_a.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        rows_.push_back({in_a[i], in_b[i]});
+    });
   }
 
+  // Room for all corners, so that no list is moved as a whole while it grows.
+  void reserve_nodes() {
+    std::size_t corners = 0;
+    for_strips(on_, out_.codes.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        corners += static_cast<std::size_t>(contact_code(out_.codes[i]).labels());
+    });
+    out_.corners.nodes.reserve(corners);
+    out_.corners.offsets.reserve(out_.codes.size() + 1);
+    out_.sources.reserve(corners), out_.on_a.reserve(corners), out_.on_b.reserve(corners);
+  }
   void name_nodes() {
+    reserve_nodes();
     const part_names names_a(out_.rows_a, on_), names_b(out_.rows_b, on_);
     numbered<std::uint64_t, 2> nodes(2 * out_.pairs.size(), on_);
     for (std::size_t i = 0; i < out_.pairs.size(); ++i) {

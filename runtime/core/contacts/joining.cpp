@@ -18,6 +18,7 @@ public:
       : corners_(corners), nodes_(nodes), on_(on), keys_(corners.size(), on) {}
 
   joined_contacts run(std::span<const std::uint64_t> codes) {
+    reserve(); // so that no list is moved as a whole while it grows
     std::vector<std::uint8_t> used(nodes_, 0);
     for_strips(on_, codes.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
@@ -51,6 +52,12 @@ private:
   std::vector<std::uint32_t> begin_, at_; // the pieces at each node
   std::vector<std::uint8_t> done_;        // by piece
 
+  void reserve() {
+    const std::size_t most = corners_.nodes.size();
+    reports_.reserve(most), directed_.reserve(most), out_.pieces.reserve(most), out_.single_nodes.reserve(nodes_);
+    out_.patches.nodes.reserve(most), out_.patches.offsets.reserve(corners_.size() + 1);
+    out_.patch_pairs.reserve(corners_.size());
+  }
   void report(std::uint32_t from, std::uint32_t to, std::uint8_t how) {
     const std::uint32_t k = keys_.number({std::min(from, to), std::max(from, to)});
     if (k == reports_.size()) {
@@ -84,8 +91,10 @@ private:
         for (const std::uint32_t node : out_.pieces[i])
           ++begin_[node + 1];
     });
-    for (std::size_t n = 0; n < nodes_; ++n)
-      begin_[n + 1] += begin_[n];
+    for_strips(on_, nodes_, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n)
+        begin_[n + 1] += begin_[n];
+    });
     at_.resize(2 * out_.pieces.size());
     std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
     for_strips(on_, out_.pieces.size(), [&](std::size_t begin, std::size_t end) {

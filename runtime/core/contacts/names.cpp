@@ -39,8 +39,10 @@ touched_rows touched_by(const view &elements, const kind_info &kind, const pose 
         throw input_error(check(elements, kind, at), kind, side_b ? "the second set: " : "the first set: ");
   });
   in.reserve(pairs.size());
-  for (const index_pair &p : pairs)
-    in.push_back(row_of[element(p)]);
+  for_strips(on, pairs.size(), [&](std::size_t begin, std::size_t end) {
+    for (const index_pair &p : pairs.subspan(begin, end - begin))
+      in.push_back(row_of[element(p)]);
+  });
   return out;
 }
 
