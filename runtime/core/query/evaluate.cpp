@@ -1,7 +1,6 @@
 #include "meet/core/query/evaluate.hpp"
 
 #include "meet/core/sets/element_set.hpp"
-#include "meet/core/threads/threads.hpp"
 #include "meet/core/views/usage_error.hpp"
 
 #include <algorithm>
@@ -31,15 +30,15 @@ void evaluate_some(const formula_info &f, const column *in, const std::uint32_t 
 // n values, each of the next rows if there are any.
 template <class Number>
 void evaluate_all(const formula_info &f, const std::vector<column> &in, const std::uint32_t *rows, std::size_t n,
-                  std::span<Number *const> out, int threads) {
+                  std::span<Number *const> out, const execution &on) {
   if (out.size() != static_cast<std::size_t>(f.result_count))
     throw usage_error(std::string(f.name) + " has " + std::to_string(f.result_count) + " values, " + f.results +
                       "; here is room for " + std::to_string(out.size()));
   if (n && std::any_of(out.begin(), out.end(), [](const Number *column) { return !column; }))
     throw usage_error(std::string(f.name) + ": a column of values has no room");
-  const int workers = thread_count(threads);
-  std::vector<column> first(in.size() * static_cast<std::size_t>(workers));
-  std::vector<Number *> into(out.size() * static_cast<std::size_t>(workers));
+  const execution workers = execution_on(on.threads, on.stop);
+  std::vector<column> first(in.size() * static_cast<std::size_t>(workers.threads));
+  std::vector<Number *> into(out.size() * static_cast<std::size_t>(workers.threads));
   for_chunks(workers, n, values_in_chunk, [&](int worker, std::size_t begin, std::size_t end) {
     column *const from = first.data() + in.size() * static_cast<std::size_t>(worker);
     Number **const to = into.data() + out.size() * static_cast<std::size_t>(worker);
@@ -53,17 +52,17 @@ void evaluate_all(const formula_info &f, const std::vector<column> &in, const st
 
 template <class Number>
 void evaluate_columns(const formula_info &f, std::span<const operand_columns> operands, std::span<Number *const> out,
-                      int threads) {
+                      const execution &on) {
   const std::vector<column> in = columns_of(f, operands);
-  evaluate_all(f, in, nullptr, common_objects(f, operands), out, threads);
+  evaluate_all(f, in, nullptr, common_objects(f, operands), out, on);
 }
 
 template <class Number>
 void evaluate_rows(const formula_info &f, std::span<const operand_columns> operands,
-                   std::span<const std::uint32_t> rows, std::span<Number *const> out, int threads) {
+                   std::span<const std::uint32_t> rows, std::span<Number *const> out, const execution &on) {
   const std::vector<column> in = columns_of(f, operands);
-  require_rows(f, operands, rows, threads);
-  evaluate_all(f, in, rows.data(), rows.size() / static_cast<std::size_t>(f.operand_count), out, threads);
+  require_rows(f, operands, rows, on);
+  evaluate_all(f, in, rows.data(), rows.size() / static_cast<std::size_t>(f.operand_count), out, on);
 }
 
 // The slot of each element; as many as there are elements where the set does not hold it.
@@ -129,13 +128,13 @@ std::size_t common_objects(const formula_info &f, std::span<const operand_column
 }
 
 void require_rows(const formula_info &f, std::span<const operand_columns> operands, std::span<const std::uint32_t> rows,
-                  int threads) {
+                  const execution &on) {
   const auto each = static_cast<std::size_t>(f.operand_count);
   if (rows.size() % each != 0)
     throw usage_error(std::string(f.name) + ": " + std::to_string(rows.size()) + " rows are no multiple of " +
                       std::to_string(each) + " operands");
   std::atomic<std::size_t> bad{rows.size()};
-  for_chunks(thread_count(threads), rows.size() / each, std::size_t{1} << 16,
+  for_chunks(execution_on(on.threads, on.stop), rows.size() / each, std::size_t{1} << 16,
              [&](int, std::size_t begin, std::size_t end) {
                for (std::size_t k = 0; k < each; ++k) {
                  bool all = true;
@@ -157,25 +156,25 @@ void require_rows(const formula_info &f, std::span<const operand_columns> operan
 }
 
 void evaluate(const formula_info &formula, std::span<const operand_columns> operands, std::span<float *const> out,
-              int threads) {
-  evaluate_columns(formula, operands, out, threads);
+              const execution &on) {
+  evaluate_columns(formula, operands, out, on);
 }
 void evaluate(const formula_info &formula, std::span<const operand_columns> operands, std::span<double *const> out,
-              int threads) {
-  evaluate_columns(formula, operands, out, threads);
+              const execution &on) {
+  evaluate_columns(formula, operands, out, on);
 }
 void evaluate(const formula_info &formula, std::span<const operand_columns> operands,
-              std::span<const std::uint32_t> rows, std::span<float *const> out, int threads) {
-  evaluate_rows(formula, operands, rows, out, threads);
+              std::span<const std::uint32_t> rows, std::span<float *const> out, const execution &on) {
+  evaluate_rows(formula, operands, rows, out, on);
 }
 void evaluate(const formula_info &formula, std::span<const operand_columns> operands,
-              std::span<const std::uint32_t> rows, std::span<double *const> out, int threads) {
-  evaluate_rows(formula, operands, rows, out, threads);
+              std::span<const std::uint32_t> rows, std::span<double *const> out, const execution &on) {
+  evaluate_rows(formula, operands, rows, out, on);
 }
 
 template <class Number>
 formula_values<Number> evaluate(const formula_info &formula, const prepared &a, const prepared &b,
-                                std::span<const index_pair> pairs, int threads) {
+                                std::span<const index_pair> pairs, const execution &on) {
   const prepared *const sets[] = {&a, &b};
   if (formula.operand_count != 2 || std::string_view(formula.operands[0].kind) != a.kind().name ||
       std::string_view(formula.operands[1].kind) != b.kind().name)
@@ -187,10 +186,12 @@ formula_values<Number> evaluate(const formula_info &formula, const prepared &a, 
       throw std::out_of_range("element " + std::to_string(element) + " of " + side + " is not in the set");
     return slots[element];
   };
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    rows[2 * i] = slot(slot_a, pairs[i].a, 'a');
-    rows[2 * i + 1] = slot(slot_b, pairs[i].b, 'b');
-  }
+  for_strips(on, pairs.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      rows[2 * i] = slot(slot_a, pairs[i].a, 'a');
+      rows[2 * i + 1] = slot(slot_b, pairs[i].b, 'b');
+    }
+  });
   std::vector<column> columns[2];
   operand_columns operands[2];
   for (std::size_t k = 0; k < 2; ++k) {
@@ -204,12 +205,12 @@ formula_values<Number> evaluate(const formula_info &formula, const prepared &a, 
   std::vector<Number *> into;
   for (int k = 0; k < formula.result_count; ++k)
     into.push_back(out.numbers.data() + static_cast<std::size_t>(k) * out.count);
-  evaluate_all(formula, columns_of(formula, operands), rows.data(), out.count, std::span<Number *const>(into), threads);
+  evaluate_all(formula, columns_of(formula, operands), rows.data(), out.count, std::span<Number *const>(into), on);
   return out;
 }
 template formula_values<float> evaluate(const formula_info &, const prepared &, const prepared &,
-                                        std::span<const index_pair>, int);
+                                        std::span<const index_pair>, const execution &);
 template formula_values<double> evaluate(const formula_info &, const prepared &, const prepared &,
-                                         std::span<const index_pair>, int);
+                                         std::span<const index_pair>, const execution &);
 
 } // namespace meetc

@@ -9,6 +9,7 @@
 #define MEETC_CORE_QUERY_EVALUATE_HPP
 
 #include "meet/core/sets/prepared.hpp"
+#include "meet/core/threads/threads.hpp"
 #include "meetc/table/table.hpp"
 
 #include <span>
@@ -32,19 +33,20 @@ struct operand_columns {
 void columns_of(const float *rows, std::span<column> into);
 
 // Value i takes object i of every operand; all have as many objects. out: a column of as many numbers for each of
-// formula.result_count, which overlap neither each other nor an operand. threads: 0 is all cores. Throws usage_error
-// where the operands are not as the formula's.
+// formula.result_count, which overlap neither each other nor an operand. on: how many threads, 0 is all
+// cores, and a token that may stop it. Throws usage_error where the operands are not as the formula's, and `cancelled`, after
+// which out means nothing; as all of these do.
 void evaluate(const formula_info &formula, std::span<const operand_columns> operands, std::span<float *const> out,
-              int threads = 0);
+              const execution &on = 0);
 void evaluate(const formula_info &formula, std::span<const operand_columns> operands, std::span<double *const> out,
-              int threads = 0);
+              const execution &on = 0);
 
 // Value i takes object rows[k + i * operand_count] of operand k. Throws std::out_of_range for an object that is not there,
 // before anything is written.
 void evaluate(const formula_info &formula, std::span<const operand_columns> operands,
-              std::span<const std::uint32_t> rows, std::span<float *const> out, int threads = 0);
+              std::span<const std::uint32_t> rows, std::span<float *const> out, const execution &on = 0);
 void evaluate(const formula_info &formula, std::span<const operand_columns> operands,
-              std::span<const std::uint32_t> rows, std::span<double *const> out, int threads = 0);
+              std::span<const std::uint32_t> rows, std::span<double *const> out, const execution &on = 0);
 
 // The values of a formula: `columns` columns of `count` numbers, one after another.
 template <class Number> struct formula_values {
@@ -60,14 +62,14 @@ std::vector<column> columns_of(const formula_info &formula, std::span<const oper
 std::size_t common_objects(const formula_info &formula, std::span<const operand_columns> operands);
 // Throws usage_error or std::out_of_range where these are no rows of the operands.
 void require_rows(const formula_info &formula, std::span<const operand_columns> operands,
-                  std::span<const std::uint32_t> rows, int threads = 0);
+                  std::span<const std::uint32_t> rows, const execution &on = 0);
 
 // The values for pairs of elements of two prepared sets, as they were posed when they were prepared: pairs[i].a is an element
 // of a, the formula's first operand. Throws usage_error where the formula does not take these two kinds, and
 // std::out_of_range for an element that a set does not hold.
 template <class Number>
 formula_values<Number> evaluate(const formula_info &formula, const prepared &a, const prepared &b,
-                                std::span<const index_pair> pairs, int threads = 0);
+                                std::span<const index_pair> pairs, const execution &on = 0);
 
 } // namespace meetc
 

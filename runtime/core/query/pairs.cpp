@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <span>
 
 namespace meetc {
 namespace {
@@ -38,6 +39,16 @@ layout take_layout(bump_allocator &from, const predicate_info &p, std::size_t a,
     l.scratch_b = take_scratch(again_b, *p.b, b);
   }
   return l;
+}
+
+// By a, then b. A comparison looks for a request now and then, since no memory is there for a sort in pieces.
+void sort_pairs(std::span<index_pair> list, const execution &on) {
+  std::uint32_t comparisons = 0;
+  std::sort(list.begin(), list.end(), [&](index_pair x, index_pair y) {
+    if ((++comparisons & 0xffff) == 0)
+      on.go_on();
+    return x.a != y.a ? x.a < y.a : x.b < y.b;
+  });
 }
 
 } // namespace
@@ -72,9 +83,10 @@ status find_pairs(const predicate_info &predicate, rung precision, const view &a
   layout l = take_layout(from, predicate, a.elements, b.elements, threads);
   // The smaller set is filled whole, and the other with what is near it.
   const bool a_first = a.elements <= b.elements;
-  status s = a_first ? fill(l.a, a, at_a, l.scratch_a, threads) : fill(l.b, b, at_b, l.scratch_b, threads);
+  const execution on(threads, options.stop);
+  status s = a_first ? fill(l.a, a, at_a, l.scratch_a, on) : fill(l.b, b, at_b, l.scratch_b, on);
   if (s == status::ok)
-    s = a_first ? fill(l.b, b, at_b, l.scratch_b, threads, &l.a) : fill(l.a, a, at_a, l.scratch_a, threads, &l.b);
+    s = a_first ? fill(l.b, b, at_b, l.scratch_b, on, &l.a) : fill(l.a, a, at_a, l.scratch_a, on, &l.b);
   if (s == status::ok)
     s = by.check(l.a, l.b);
   if (s != status::ok)
@@ -107,7 +119,7 @@ status find_pairs(const predicate_info &predicate, rung precision, const view &a
                                   {by.stored_b.floats > 0 ? &stored_b : nullptr, by.stored_b, l.stored_b},
                                   by,
                                   source,
-                                  threads,
+                                  on,
                                   options.progress,
                                   options.progress_context,
                                   {answers, wanted}},
@@ -116,8 +128,7 @@ status find_pairs(const predicate_info &predicate, rung precision, const view &a
   if (out.rungs)
     *out.rungs = total.rungs;
   if (!options.stop_at_first && *out.count <= out.capacity)
-    std::sort(out.data, out.data + *out.count,
-              [](index_pair x, index_pair y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
+    sort_pairs({out.data, *out.count}, on);
   return status::ok;
 }
 
@@ -125,7 +136,12 @@ status find_pairs(const predicate_info &predicate, rung precision, const view &a
 
 status pairs(const predicate_info &predicate, rung precision, const view &a, const pose &at_a, const view &b,
              const pose &at_b, pairs_out out, memory work, const pairs_options &options) noexcept {
-  return under_standard_word([&] { return find_pairs(predicate, precision, a, at_a, b, at_b, out, work, options); });
+  try {
+    return under_standard_word([&] { return find_pairs(predicate, precision, a, at_a, b, at_b, out, work, options); });
+  } catch (const cancelled &) {
+    *out.count = 0;
+    return status::cancelled;
+  }
 }
 
 } // namespace meetc

@@ -11,6 +11,8 @@
 #include "meet/core/views/status.hpp"
 #include "meet/core/views/view.hpp"
 
+#include <stop_token>
+
 namespace meetc {
 
 // The destinations of the answers. A null pointer means that an answer is not wanted; only `count` is required.
@@ -31,14 +33,16 @@ struct pairs_options {
   // Called from the calling thread, about ten times a second, with a fraction from 0 to 1. May be null.
   void (*progress)(void *context, double fraction) noexcept = nullptr;
   void *progress_context = nullptr;
+  std::stop_token stop = {}; // a request ends the call soon, with status::cancelled
 };
 
 // The bytes that pairs() needs for these numbers of elements and threads (0: all cores). Any alignment will do.
 std::size_t workspace(const predicate_info &predicate, std::size_t elements_a, std::size_t elements_b, int threads = 0);
 
 // All touching pairs (a, b), sorted by a, then b. Where *count > capacity, only some pairs are written, in no order:
-// call again with more room. Allocates nothing (though the system does for each thread that it starts). On any status
-// but ok, *count is 0, *rungs means nothing, and the other arrays are unchanged.
+// call again with more room. Allocates nothing (though the system does for each thread that it starts, and for the exception
+// by which a request stops them). On any status but ok, *count is 0, *rungs means nothing, and the other arrays are unchanged;
+// with `cancelled` they mean nothing.
 status pairs(const predicate_info &predicate, rung precision, const view &a, const pose &at_a, const view &b,
              const pose &at_b, pairs_out out, memory work, const pairs_options &options = {}) noexcept;
 

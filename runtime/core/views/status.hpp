@@ -20,6 +20,7 @@ enum class status : std::uint8_t {
   left_box,            // the rung tolerant is for sets in its scene's box, and the scene has no certified rungs
   bad_view,            // null data, a stride shorter than a row, or an index into no points; check() says which
   bad_argument,        // count is null, pairs have room but no memory, or the box is negative
+  cancelled,           // a stop was requested
 };
 
 // In words, without a full stop.
@@ -51,6 +52,8 @@ constexpr const char *text(status s) {
     return "a view has null data, a stride shorter than a row, or an index although its kind is not made of points";
   case status::bad_argument:
     return "an argument is null that must not be, or the box is negative";
+  case status::cancelled:
+    return "cancelled";
   }
   return "unknown";
 }

@@ -3,6 +3,8 @@
 #include "scenes.hpp"
 #include "tests/catch.hpp"
 
+#include "meet/core/query/evaluate.hpp"
+#include "meet/core/query/pairs.hpp"
 #include "meet/core/world/world.hpp"
 
 #include <atomic>
@@ -180,6 +182,52 @@ TEST_CASE("a world ends soon after the request, and answers afterwards") {
   check_stops(2 * pairs_at_once, ask);
   stop_after(-1);
   CHECK(ask({}).touching.size() == 3);
+}
+
+TEST_CASE("a query in the caller's memory ends soon after the request, and says so") {
+  const scene s;
+  const view a = s.a.view(), b = s.b.view();
+  const predicate_info p = counting();
+  std::vector<index_pair> list(collide(s.set_a, s.set_b, original(), rung::exact).pairs.size());
+  for (const int threads : {1, 3}) {
+    std::vector<std::byte> work(workspace(p, a.elements, b.elements, threads));
+    std::uint64_t n = 7;
+    const auto ask = [&](const std::stop_token &stop) {
+      pairs_options o;
+      o.threads = threads, o.stop = stop;
+      const status said =
+          pairs(p, rung::certified, a, {}, b, {}, {list.data(), list.size(), &n}, {work.data(), work.size()}, o);
+      if (said == status::cancelled) {
+        CHECK(n == 0);
+        throw cancelled();
+      }
+      CHECK(said == status::ok);
+      CHECK(n == list.size());
+    };
+    check_stops(pairs_at_once * static_cast<std::uint64_t>(threads), ask);
+  }
+}
+
+TEST_CASE("values end soon after the request") {
+  static const formula_info &f = formula_named(cga::catalogue(), "norm2(meet(sphere, sphere))");
+  formula_info counted = f;
+  counted.float32 = [](const column *in, const std::uint32_t *rows, std::size_t n, float *const *out) {
+    count(n);
+    f.float32(in, rows, n, out);
+  };
+  constexpr std::size_t n = 200'000, at_once = 4096;
+  const std::vector<float> rows(4 * n, 1);
+  std::vector<column> numbers(4);
+  columns_of(rows.data(), numbers);
+  const operand_columns operands[] = {{numbers, n}, {numbers, n}};
+  std::vector<float> values(n);
+  float *const out[] = {values.data()};
+  const std::vector<std::uint32_t> listed(2 * n, 1);
+  for (const int threads : {1, 3}) {
+    const std::uint64_t most = at_once * static_cast<std::uint64_t>(threads);
+    check_stops(most, [&](const std::stop_token &stop) { evaluate(counted, operands, out, {threads, stop}); });
+    check_stops(most, [&](const std::stop_token &stop) { evaluate(counted, operands, listed, out, {threads, stop}); });
+  }
 }
 
 TEST_CASE("a request that came before the call ends it at once") {
