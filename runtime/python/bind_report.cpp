@@ -2,6 +2,8 @@
 #include "meet/io/files/error.hpp"
 #include "meet/python/arrays.hpp"
 #include "meet/python/bindings.hpp"
+#include "meet/python/worlds.hpp"
+#include "meet/report/bodies_page.hpp"
 #include "meet/report/sets_page.hpp"
 
 #include <cga/cga_runtime.hpp>
@@ -117,6 +119,53 @@ py::bytes page_of_one(const set_of_page &a, bool merged, const py::array &pairs,
   return page;
 }
 
+using named_pose = std::pair<std::uint32_t, py::array>;
+// The name of a frame, the bodies that it moves, those that touch with the number of their pairs, and those that do not
+// with how the one lies in the other, and the reason where that is unknown.
+using frame_of_page = std::tuple<std::string, std::vector<named_pose>,
+                                 std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint64_t>>,
+                                 std::vector<std::tuple<std::uint32_t, std::uint32_t, std::string, std::string>>>;
+
+world_answer answer_of(const frame_of_page &frame) {
+  world_answer out;
+  for (const auto &[a, b, count] : std::get<2>(frame)) {
+    out.touching.push_back({a, b, {}});
+    out.touching.back().found.count = count;
+  }
+  for (const auto &[a, b, how, why] : std::get<3>(frame))
+    out.nested.push_back({a, b, nesting_named(how), why});
+  return out;
+}
+
+// bodies: the name, the number of the shape and the pose of each.
+py::bytes page_of_bodies(const std::vector<set_of_page> &shapes,
+                         const std::vector<std::tuple<std::string, std::size_t, py::array>> &bodies,
+                         const std::vector<frame_of_page> &frames, const std::string &precision) {
+  std::vector<io::element_set> sets;
+  for (const set_of_page &s : shapes)
+    sets.push_back(elements_of(s));
+  std::vector<report::page_body> of_bodies;
+  for (const auto &[name, shape, at] : bodies)
+    of_bodies.push_back({name, sets.at(shape), place_of(at, *sets.at(shape).kind)});
+  std::vector<std::vector<std::pair<std::uint32_t, pose>>> moved;
+  std::vector<world_answer> answers;
+  for (const frame_of_page &f : frames) {
+    for (moved.emplace_back(); const auto &[body, at] : std::get<1>(f))
+      moved.back().emplace_back(body, place_of(at, *of_bodies.at(body).set.kind));
+    answers.push_back(answer_of(f));
+  }
+  std::vector<report::page_frame> of_frames;
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    of_frames.push_back({std::get<0>(frames[i]), moved[i], answers[i]});
+  const rung how = rung_named(precision);
+  std::string page;
+  {
+    const py::gil_scoped_release others_run;
+    page = report::page_of_bodies(of_bodies, of_frames, how, precision.c_str(), {});
+  }
+  return page;
+}
+
 } // namespace
 
 void bind_report(py::module_ &module) {
@@ -124,6 +173,8 @@ void bind_report(py::module_ &module) {
              py::arg("precision"), py::arg("pairs"), py::arg("elements"), py::arg("threads"));
   module.def("page_of_one", &page_of_one, py::arg("a"), py::arg("merged"), py::arg("pairs"), py::arg("elements"),
              py::arg("threads"));
+  module.def("page_of_bodies", &page_of_bodies, py::arg("shapes"), py::arg("bodies"), py::arg("frames"),
+             py::arg("precision"));
 }
 
 } // namespace meetc::python

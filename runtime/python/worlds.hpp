@@ -7,10 +7,20 @@
 #include "meet/python/bindings.hpp"
 #include "meet/python/faults.hpp"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 namespace meetc::python {
 
 inline answer_kind wanted(const std::string &name) {
   return name == "any" ? answer_kind::any : name == "pairs" ? answer_kind::pairs : answer_kind::count;
+}
+
+// How one body lies in the other, by the values of nesting.
+inline constexpr std::array<const char *, 4> nesting_names{"a inside b", "b inside a", "overlapping", "unknown"};
+inline nesting nesting_named(std::string_view name) {
+  return static_cast<nesting>(std::ranges::find(nesting_names, name) - nesting_names.begin());
 }
 
 // World has world_answer touching(world_options): a world, or one on a device.
@@ -43,14 +53,13 @@ py::list touching_bodies_of(World &w, const std::vector<std::uint32_t> &of, cons
 // The two bodies, how the one lies in the other, and where that is unknown, the reason.
 template <class World>
 py::list nested_bodies_of(World &w, const std::vector<std::uint32_t> &of, const std::string &precision, int threads) {
-  constexpr const char *names[] = {"a inside b", "b inside a", "overlapping", "unknown"};
   world_options options;
   options.of = of;
   options.want = answer_kind::any;
   options.nested = true;
   py::list out;
   for (const nested_bodies &n : ask_bodies(w, options, precision, threads).nested)
-    out.append(py::make_tuple(n.a, n.b, names[static_cast<int>(n.how)], n.why));
+    out.append(py::make_tuple(n.a, n.b, nesting_names[static_cast<std::size_t>(n.how)], n.why));
   return out;
 }
 

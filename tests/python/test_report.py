@@ -1,6 +1,7 @@
 """Pages: the program's own for the same sets, written whole or not at all, and shown by Jupyter."""
 
 import html
+import json
 import os
 import pickle
 import re
@@ -109,6 +110,44 @@ class Reports(unittest.TestCase):
             self.assertEqual(meetc.report(sets[0], sets[0]).html, program(a, a))
             self.assertEqual(meetc.report(sets[0]).html, program("--self", a))
             self.assertEqual(meetc.report(sets[0], merge=False).html, program("--self", a, "--no-merge"))
+
+    @unittest.skipUnless(os.path.exists(MEET), "the program meet is not there")
+    def test_pages_of_bodies_are_those_of_the_program(self):
+        with tempfile.TemporaryDirectory() as folder:
+            paths = {name: os.path.join(folder, name) for name in ("ball.obj", "open.obj", "cell.json", "poses.npy", "out.html")}
+            vertices, faces = shapes.sphere_mesh(8)
+            for name, some in (("ball.obj", faces), ("open.obj", faces[2:])):
+                with open(paths[name], "w", encoding="ascii") as file:
+                    file.writelines(f"v {x!r} {y!r} {z!r}\n" for x, y, z in np.float32(vertices).tolist())
+                    file.writelines(f"f {a} {b} {c}\n" for a, b, c in (some + 1).tolist())
+            poses = np.tile(np.eye(4), (3, 3, 1, 1))
+            poses[0, :, 0, 3] = 0, 1.5, 3
+            poses[1, :, 0, 3] = 0, 5, 10
+            poses[2, :, 0, 3], poses[2, 1, :3, :3], poses[2, 2, :3, :3] = (0, 0, 20), np.eye(3) / 4, np.eye(3) / 8
+            np.save(paths["poses.npy"], poses)
+            bodies = [("a", "ball.obj"), ("b", "ball.obj"), ("c", "open.obj")]
+            with open(paths["cell.json"], "w", encoding="ascii") as file:
+                json.dump({"bodies": [{"name": n, "file": f} for n, f in bodies], "allow": [["a", "c"]]}, file)
+            world = meetc.World()
+            sets = {name: meetc.Set.read(paths[name]) for name in ("ball.obj", "open.obj")}
+            for name, file in bodies:
+                world.add(name, sets[file])
+            world.allow("a", "c")
+            before = world.pose("b").tolist()
+            for words, page in (
+                ([], world.report()), (["--poses", paths["poses.npy"]], world.report(poses, ["a", "b", "c"]))
+            ):
+                command = [MEET, "collide", "--world", paths["cell.json"], *words, "--report", paths["out.html"]]
+                done = subprocess.run(command, capture_output=True, text=True)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                with open(paths["out.html"], encoding="utf-8", newline="") as file:
+                    self.assertEqual(page.html, file.read())
+            self.assertEqual(world.pose("b").tolist(), before)
+            self.assertIn("in 2 of 3 frames some bodies touch or lie in one another", page.html)
+            self.assertIn("<iframe", world._repr_html_())
+            with self.assertRaisesRegex(meetc.InputError, "names: the bodies of no poses"):
+                world.report(names=["a"])
+            self.assertIn('"title":"0 bodies"', meetc.World().report().html)
 
 
 if __name__ == "__main__":

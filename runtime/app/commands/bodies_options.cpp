@@ -33,9 +33,9 @@ void add_bodies(CLI::App &c, bodies_arguments &to) {
 void require_fit(const CLI::App &c, bool many) {
   constexpr const char *of_many[] = {"--world", "--poses", "--allow", "--srdf", "--only"};
   constexpr const char *of_both[] = {
-      "A",       "B",      "C",         "--mode",          "--precision",       "--any",
-      "--pairs", "--json", "--threads", "--fail-on-touch", "--instruction-set", "--device",
-      "--report"};
+      "A",       "B",        "C",         "--mode",          "--precision",       "--any",
+      "--pairs", "--json",   "--threads", "--fail-on-touch", "--instruction-set", "--device",
+      "--image", "--camera", "--size",    "--report"};
   const auto among = [](std::span<const char *const> names, const std::string &name) {
     return std::ranges::any_of(names, [&name](const char *n) { return name == n; });
   };

@@ -152,7 +152,10 @@ void add_answers(CLI::App &c, arguments &to) {
   c.add_option("--color,--colour", q.colour,
                "Write a.ply and b.ply with touched faces in bright colours into this folder")
       ->type_name("DIR");
-  c.add_option("--image", q.image, "Write a picture in which touching elements stand out")->type_name("out.png");
+  c.add_option("--image", q.image,
+               "Write a picture in which touching elements stand out; of many bodies, that of the first frame in which "
+               "some touch")
+      ->type_name("out.png");
   c.add_option(
        "--camera", to.camera,
        "From where --image is seen: degrees about the upward axis y, from the front z, and above the horizon; a "
@@ -207,13 +210,14 @@ const collide_request &read(arguments &args) {
   return q;
 }
 
-printed collide_many(const kernel_library &all, const arguments &args) {
+printed collide_many(const kernel_library &all, arguments &args) {
+  read_view(args);
   const collide_request &r = args.request;
   bodies_request q = bodies_named(args.bodies, r.a, r.b);
   q.mode = mode_named(r.mode);
   q.precision = precision_named(args.precision);
   q.on = processor_named(args.device);
-  q.any = r.any, q.json = r.json, q.pairs = r.pairs, q.page = r.page;
+  q.any = r.any, q.json = r.json, q.pairs = r.pairs, q.image = r.image, q.view = r.view, q.page = r.page;
   if (args.threads)
     q.threads = threads_named(*args.threads);
   bodies_report report = collide_bodies(kernels_named(all, args.instruction_set), q);

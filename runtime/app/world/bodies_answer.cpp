@@ -2,6 +2,7 @@
 
 #include "meet/app/query/choose.hpp"
 #include "meet/app/text/words.hpp"
+#include "meet/report/bodies_page.hpp"
 
 #include <fmt/format.h>
 
@@ -45,22 +46,14 @@ json nested_as_json(const bodies_scene &s, const world_answer &found) {
   return {{"inside", inside}, {"overlapping", overlapping}, {"unknown", unknown}};
 }
 
-} // namespace
-
-// The first reason of several frames.
-std::vector<std::string> unknown_in_lines(const bodies_scene &s, const std::vector<frame_answer> &frames) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<std::string, std::size_t>> all;
+std::vector<const world_answer *> answers_of(const std::vector<frame_answer> &frames) {
+  std::vector<const world_answer *> out;
   for (const frame_answer &f : frames)
-    for (const nested_bodies &n : f.found.nested)
-      if (n.how == nesting::unknown)
-        ++all.try_emplace({n.a, n.b}, n.why, 0).first->second.second;
-  std::vector<std::string> out;
-  for (const auto &[bodies, why] : all)
-    out.push_back(fmt::format(
-        "Unknown whether {} or {} is inside the other{}: {}.", s.names[bodies.first], s.names[bodies.second],
-        frames.size() == 1 ? "" : fmt::format(", in {} of {} frames", why.second, frames.size()), why.first));
+    out.push_back(&f.found);
   return out;
 }
+
+} // namespace
 
 std::string summary(const bodies_request &q, const bodies_scene &s, const std::vector<frame_answer> &frames) {
   std::string out;
@@ -85,7 +78,7 @@ std::string summary(const bodies_request &q, const bodies_scene &s, const std::v
     candidates += f.found.candidates, near += f.found.near;
     pose += f.found.pose_seconds, collide += f.found.collide_seconds;
   }
-  for (const std::string &line : unknown_in_lines(s, frames))
+  for (const std::string &line : report::unknown_in_lines(s.names, answers_of(frames)))
     out += line + '\n';
   out += fmt::format("\n{}, on the {}: {} pairs of bodies near each other, {} candidate pairs decided\n",
                      name_of(q.precision), s.device.empty() ? "CPU" : s.device, grouped(near), grouped(candidates));

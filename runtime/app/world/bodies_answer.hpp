@@ -44,9 +44,6 @@ inline bool asks_nested(const bodies_request &q) {
   return q.mode == "solid" && never_wrong(q.precision);
 }
 
-// "Unknown whether A or B is inside the other: why." of each two bodies, with the number of frames.
-std::vector<std::string> unknown_in_lines(const bodies_scene &s, const std::vector<frame_answer> &frames);
-
 std::string summary(const bodies_request &q, const bodies_scene &s, const std::vector<frame_answer> &frames);
 json as_json(const bodies_request &q, const bodies_scene &s, const std::vector<frame_answer> &frames);
 

@@ -7,12 +7,14 @@
 #include "meet/app/output/report_page.hpp"
 #include "meet/app/text/progress.hpp"
 #include "meet/app/world/bodies_answer.hpp"
-#include "meet/app/world/bodies_page.hpp"
+#include "meet/app/world/bodies_picture.hpp"
 #include "meet/app/world/poses_file.hpp"
 #include "meet/app/world/srdf_file.hpp"
 #include "meet/app/world/world_on.hpp"
+#include "meet/io/files/atomic_file.hpp"
 #include "meet/io/read.hpp"
 #include "meet/io/write.hpp"
+#include "meet/report/bodies_page.hpp"
 
 #include <fmt/format.h>
 
@@ -90,11 +92,22 @@ std::vector<std::string> write_pairs(const bodies_request &q, const bodies_scene
   return written;
 }
 
+void write_page(const fs::path &to, const bodies_request &q, const bodies_scene &s, const world_source &from,
+                std::span<const frame> frames, const std::vector<frame_answer> &answers) {
+  std::vector<report::page_body> bodies;
+  for (std::size_t i = 0; i < s.names.size(); ++i)
+    bodies.push_back({s.names[i], s.shapes[i]->elements, from.bodies[i].at});
+  std::vector<report::page_frame> shown;
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    shown.push_back({frames[i].name, frames[i].moved, answers[i].found});
+  io::write_file(to, report::page_of_bodies(bodies, shown, q.precision, name_of(q.precision), s.notes));
+}
+
 } // namespace
 
 bodies_report collide_bodies(const catalogue &all, const bodies_request &q) {
-  if (q.any && (q.pairs || q.page))
-    throw failure("--any stops at the first pair and keeps none; --pairs and --report need them all");
+  if (q.any && (q.pairs || q.image || q.page))
+    throw failure("--any stops at the first pair and keeps none; --pairs, --image and --report need them all");
   world_source from = q.world ? read_world(*q.world) : world_of_files(q.files);
   std::vector<fs::path> inputs;
   for (const body_source &b : from.bodies)
@@ -105,6 +118,8 @@ bodies_report collide_bodies(const catalogue &all, const bodies_request &q) {
   output_files outputs(inputs);
   if (q.pairs)
     outputs.expect(*q.pairs / "pairs.csv", true);
+  if (q.image)
+    outputs.expect(*q.image), check_picture(*q.image);
   if (q.page)
     outputs.expect(*q.page), check_page(*q.page);
   from.allowed.insert(from.allowed.end(), q.allowed.begin(), q.allowed.end());
@@ -128,7 +143,7 @@ bodies_report collide_bodies(const catalogue &all, const bodies_request &q) {
     frames.emplace_back();
 
   world_options options;
-  options.want = q.pairs ? answer_kind::pairs : q.any ? answer_kind::any : answer_kind::count;
+  options.want = q.pairs || q.image ? answer_kind::pairs : q.any ? answer_kind::any : answer_kind::count;
   options.precision = q.precision;
   options.first = q.any;
   options.nested = asks_nested(q);
@@ -157,8 +172,13 @@ bodies_report collide_bodies(const catalogue &all, const bodies_request &q) {
     }
   }
   std::vector<std::string> written = q.pairs ? write_pairs(q, s, answers, outputs) : std::vector<std::string>{};
+  if (q.image) {
+    const bodies_picture picture(s, from, frames, answers);
+    outputs.write(*q.image, [&](const fs::path &to) { picture.write(to, q.view); });
+    written.push_back(q.image->string() + picture.frame_in_words());
+  }
   if (q.page) {
-    outputs.write(*q.page, [&](const fs::path &to) { write_bodies_page(to, s, from, frames, answers, q.precision); });
+    outputs.write(*q.page, [&](const fs::path &to) { write_page(to, q, s, from, frames, answers); });
     written.push_back(q.page->string());
   }
   outputs.commit();

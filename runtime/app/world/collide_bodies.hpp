@@ -2,6 +2,7 @@
 #ifndef MEETC_APP_WORLD_COLLIDE_BODIES_HPP
 #define MEETC_APP_WORLD_COLLIDE_BODIES_HPP
 
+#include "meet/app/input/picture_options.hpp"
 #include "meet/app/query/device_pairs.hpp"
 #include "meet/app/world/world_file.hpp"
 #include "meetc/support.hpp"
@@ -24,7 +25,8 @@ struct bodies_request {
   processor on = processor::cpu;
   bool any = false, json = false;
   std::optional<std::filesystem::path> pairs; // a folder
-  std::optional<std::filesystem::path> page;
+  std::optional<std::filesystem::path> image, page;
+  picture_view view = {}; // of the image
   int threads = 0;
 };
 

@@ -84,6 +84,19 @@ def page_of_two(
     threads: int,
 ) -> bytes: ...
 def page_of_one(a: _Side, merged: bool, pairs: _Ints, elements: _Ints, threads: int) -> bytes: ...
+def page_of_bodies(
+    shapes: list[_Side],
+    bodies: list[tuple[str, int, NDArray[np.float64]]],
+    frames: list[
+        tuple[
+            str,
+            list[tuple[int, NDArray[np.float64]]],
+            list[tuple[int, int, int]],
+            list[tuple[int, int, str, str]],
+        ]
+    ],
+    precision: str,
+) -> bytes: ...
 def polygon_starts(flat: _Longs, least: int) -> _Longs: ...
 def cut_polygons(
     points: NDArray[np.float32], corners: NDArray[np.uint32], counts: NDArray[np.uint32], threads: int

@@ -7,7 +7,9 @@ import json
 import os
 import re
 import secrets
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -15,7 +17,7 @@ from meetc import _arrays, _native
 from meetc._asked import ask
 from meetc._errors import InputError
 from meetc._set import Set, as_set
-from meetc._types import Meshlike, Precision
+from meetc._types import Doubles, Meshlike, Precision
 
 
 @dataclass(frozen=True, repr=False)
@@ -62,7 +64,7 @@ def report(
     """A page on which a collision is looked at: both sets, the elements that touch, where they meet, the list of pairs.
 
     Without `b` it shows where the mesh `a` crosses itself, as self_pairs(a, merge=merge) finds it. The page is that of
-    `meet collide --report`.
+    `meet collide --report`. World.report() is that of many bodies.
 
         page = meetc.report(a, b)
         page                            # in Jupyter
@@ -91,6 +93,29 @@ def _of_one(mesh: Meshlike, precision: Precision, merge: bool, threads: int) -> 
     parts, _ = _native.self_pairs(of._ready, source.numbers, source.corners, source.owner, bool(merge), threads)
     items = parts if source.owner is None else np.unique(source.items_of(parts), axis=0)
     return Report(_native.page_of_one(_as_side(of, "A"), bool(merge), items, parts, threads).decode())
+
+
+class BodiesFrame(NamedTuple):
+    """A frame of a page of bodies, which are named by their numbers."""
+
+    name: str
+    moved: list[tuple[int, Doubles]]
+    touching: list[tuple[int, int, int]]  #: with the number of pairs
+    nested: list[tuple[int, int, str, str]]
+
+
+def of_bodies(
+    names: Sequence[str], sets: Sequence[Set], poses: Sequence[Doubles], frames: list[BodiesFrame], precision: Precision
+) -> Report:
+    """The page of many bodies; those of one source have one shape."""
+    shapes: dict[int, int] = {}
+    sides, bodies = [], []
+    for name, of, at in zip(names, sets, poses):
+        if id(of._source) not in shapes:
+            shapes[id(of._source)] = len(sides)
+            sides.append(_as_side(of, name))
+        bodies.append((_text(name), shapes[id(of._source)], at))
+    return Report(_native.page_of_bodies(sides, bodies, [tuple(f) for f in frames], precision).decode())
 
 
 def _as_side(of: Set, letter: str) -> _native._Side:

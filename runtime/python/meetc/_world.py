@@ -14,6 +14,7 @@ from meetc._bodies import Bodies, Touching, Want
 from meetc._device import Device
 from meetc._errors import InputError
 from meetc._queries import pairs
+from meetc._report import BodiesFrame, Report, of_bodies
 from meetc._set import Set, as_set
 from meetc._types import Bools, Doubles, Ints, Longs, Meshlike, Precision
 
@@ -167,8 +168,48 @@ class World:
 
         Each frame puts the named bodies into its poses; afterwards they are where they were.
         """
-        array = _arrays.as_array(poses, "poses")
         names = list(names)
+        matrices = self._matrices(poses, names)
+        with self._lock:
+            found = [bool(self._found("any")) for _ in self._moved(matrices, names)]
+        return np.array(found, np.bool_)
+
+    def report(self, poses: ArrayLike | None = None, names: Sequence[str] = ()) -> Report:
+        """A page on which the bodies are looked at: which of them touch, and which lie inside others.
+
+        With poses and names, as over() takes them, a slider goes through the frames, whose names are their numbers from 0. The
+        page is that of `meet collide --world cell.json --poses poses.npy --report`.
+        """
+        names = list(names)
+        if poses is None and names:
+            raise InputError("names: the bodies of no poses; name poses as well", array="names", value=names)
+        matrices = np.empty((1, 0, 12)) if poses is None else self._matrices(poses, names)
+        nested = self._mode == "solid" and self._precision in ("certified", "exact")
+        with self._lock:
+            keys = list(self._bodies.sets)
+            sets = [self._bodies.sets[key] for key in keys]
+            places = [self._bodies.poses[key] for key in keys]
+            number = {key: i for i, key in enumerate(keys)}
+            frames: list[BodiesFrame] = []
+            for frame, at in enumerate(self._moved(matrices, names)):
+                touching = [(number[a], number[b], count) for a, b, count, _ in self._found("count")]
+                inside = self._bodies.nested((), self._precision, self._threads) if nested else []
+                frames.append(
+                    BodiesFrame(
+                        "" if poses is None else str(frame),
+                        [(number[name], place) for name, place in zip(names, at)],
+                        touching,
+                        [(number[a], number[b], how, why) for a, b, how, why in inside],
+                    )
+                )
+        return of_bodies([str(key) for key in keys], sets, places, frames, self._precision)
+
+    def _repr_html_(self) -> str:
+        return self.report()._repr_html_()
+
+    def _matrices(self, poses: ArrayLike, names: list[str]) -> Doubles:
+        """(frames, names, 12)."""
+        array = _arrays.as_array(poses, "poses")
         if array.ndim != 4 or array.shape[1] != len(names):
             raise InputError(
                 f"poses: its shape is {_arrays.shape_text(array.shape)}, not (frames, {len(names)}, 4, 4) or (…, 3, 4)",
@@ -176,19 +217,19 @@ class World:
             )
         for name in names:
             self._require(name)
-        matrices = _arrays.poses(array.reshape(-1, *array.shape[2:]), "poses", True).reshape(len(array), len(names), 12)
-        with self._lock:
-            before = dict(self._bodies.poses)
-            try:
-                out = np.zeros(len(array), np.bool_)
-                for frame, places in enumerate(matrices):
-                    for name, at in zip(names, places):
-                        self._bodies.move(name, at)
-                    out[frame] = bool(self._found("any"))
-            finally:
-                for name in names:
-                    self._bodies.move(name, before[name])
-        return out
+        return _arrays.poses(array.reshape(-1, *array.shape[2:]), "poses", True).reshape(len(array), len(names), 12)
+
+    def _moved(self, matrices: Doubles, names: list[str]) -> Iterator[Doubles]:
+        """The poses of each frame, in which the bodies stand meanwhile; afterwards they are where they were."""
+        before = dict(self._bodies.poses)
+        try:
+            for places in matrices:
+                for name, at in zip(names, places):
+                    self._bodies.move(name, at)
+                yield places
+        finally:
+            for name in names:
+                self._bodies.move(name, before[name])
 
     def __len__(self) -> int:
         return len(self._bodies.sets)

@@ -1,5 +1,6 @@
 // Many bodies on the command line: who touches whom, frame by frame.
 #include "fixture.hpp"
+#include "tests/runtime/picture/decode.hpp"
 
 using namespace fixture;
 
@@ -97,6 +98,49 @@ TEST_CASE("poses move bodies frame by frame, and those that are not named stay")
   CHECK(has(s.out, "frame 1     nothing touches"));
   put("matrices.csv", "frame,body,m00,m01,m02,m03,m10,m11,m12,m13,m20,m21,m22,m23\n0,ball,1,0,0,9,0,1,0,0,0,0,1,0\n");
   CHECK(touching(answer({"--world", "cell.json", "--poses", "matrices.csv"})).empty());
+}
+
+namespace {
+// Whether the picture of these words shows elements that touch.
+bool yellow_shown(const std::vector<std::string> &words, const std::string &said_of_it) {
+  std::vector<std::string> all{"collide", "--image", "cell.png", "--size", "640x360"};
+  all.insert(all.end(), words.begin(), words.end());
+  const said s = run(all);
+  INFO(s.out << s.err);
+  CHECK(s.code == 0);
+  CHECK(has(s.out, "wrote cell.png" + said_of_it + "\n"));
+  const std::string png = get(at("cell.png"));
+  const meetc::picture::image picture = meetc::picture::decode(png);
+  CHECK(picture.width == 640);
+  std::size_t yellow = 0;
+  for (std::size_t i = 0; i < picture.rgb.size(); i += 3)
+    yellow += picture.rgb[i] > 200 && picture.rgb[i + 1] > 150 && picture.rgb[i + 2] < 60;
+  return yellow > 20;
+}
+} // namespace
+
+TEST_CASE("a picture shows the bodies of the first frame in which some touch") {
+  put_files();
+  world(three);
+  CHECK(yellow_shown({"--world", "cell.json"}, ""));
+  CHECK_FALSE(yellow_shown({"--world", "cell.json", "--allow", "ball,*"}, ""));
+  const std::string header = "frame,body,x,y,z,qw,qx,qy,qz\n";
+  put("poses.csv", header + "0,ball,0,9,0,1,0,0,0\nlater,ball,0,0,0,1,0,0,0\n");
+  CHECK(yellow_shown({"--world", "cell.json", "--poses", "poses.csv"}, ", frame later"));
+  put("poses.csv", header + "0,ball,0,9,0,1,0,0,0\n1,ball,0,8,0,1,0,0,0\n");
+  CHECK_FALSE(yellow_shown({"--world", "cell.json", "--poses", "poses.csv"}, ", frame 0"));
+  std::vector<std::string> many;
+  for (int i = 0; i < 70; ++i)
+    many.emplace_back(i % 2 == 0 ? "cube.ply" : "ball.csv");
+  CHECK(yellow_shown(many, ""));
+  const auto complaint = [](const char *option, const char *value) {
+    return run({"collide", "--world", "cell.json", option, value}).err;
+  };
+  CHECK(has(complaint("--camera", "0,0"), "--camera: it is about a picture; write --image out.png as well"));
+  CHECK(has(complaint("--image", "cell.jpg"), "pictures are PNG; name it cell.png"));
+  CHECK(
+      has(run({"collide", "--world", "cell.json", "--any", "--image", "no.png"}).err, "--any stops at the first pair"));
+  CHECK_FALSE(fs::exists(at("no.png")));
 }
 
 TEST_CASE("the pairs of each two bodies are those of the two files") {
