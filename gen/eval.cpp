@@ -41,6 +41,7 @@ int eval(const eval_options &o) {
   lower::decision signs;
   lower::expander of(*c.model, none, signs);
   of.allow_bits(1 << 20); // exact numbers may be long
+  of.allow_zero();
   lower::environment env;
   for (const given_operand &g : given_operands(*c.model, o.with)) {
     auto next = g.numbers.begin();

@@ -35,6 +35,11 @@ public:
   // The summary, and the exit code.
   int end() const {
     say(fmt::format("{}: {} wrong of {} cases in {} kernels\n", c_.scene->name, wrong_, cases_, c_.kernels.size()));
+    if (!by_text_.empty())
+      say(fmt::format(
+          "judged by the dense products of their own text, which tell a wrong program and no wrong question, "
+          "since a kind has no hull: {}\n",
+          join(by_text_, ", ")));
     if (!unchecked_.empty())
       say(fmt::format("not checked: {}{}\n", join(unchecked_, ", "),
                       o_.allow_unchecked ? "" : " (--allow-unchecked accepts this)"));
@@ -45,7 +50,7 @@ private:
   const compilation &c_;
   const verify_options &o_;
   long wrong_ = 0, cases_ = 0;
-  std::vector<std::string> unchecked_;
+  std::vector<std::string> unchecked_, by_text_;
 
   // Runs one check and says what it found. A check that fails or compares nothing leaves the others as they are.
   template <class Check> void tell(const std::string &what, const std::string &lead, bool geometry, Check check) {
@@ -66,7 +71,10 @@ private:
       return;
     }
     say(fmt::format("{}{} wrong of {}", lead, r.wrong, r.cases));
-    say(geometry ? fmt::format(" ({} hits, {} degenerate)\n", r.hits, r.degenerate) : "\n");
+    say(geometry ? fmt::format(" ({} hits, {} degenerate){}\n", r.hits, r.degenerate, r.by_text ? ", by its text" : "")
+                 : "\n");
+    if (r.by_text)
+      by_text_.push_back(what);
     if (r.wrong)
       say(fmt::format("  first: {}\n", r.first_wrong));
   }

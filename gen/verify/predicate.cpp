@@ -164,11 +164,30 @@ std::pair<sample, sample> draw_numbers(lattice &random, const operands &of, long
   return {std::move(a), std::move(b)};
 }
 
-std::string text_of(const std::vector<oracle::rational> &row) {
+// "S: sphere = 1, 1, 0, 1", as `meetc eval --with` takes it.
+std::string text_of(const lang::field &operand, const std::vector<oracle::rational> &row) {
   std::string numbers;
   for (const auto &q : row)
     numbers += (numbers.empty() ? "" : ", ") + q.get_str();
-  return numbers;
+  return fmt::format("{}: {} = {}", operand.name, operand.type, numbers);
+}
+std::string text_of(const operands &of, const sample &a, const sample &b) {
+  return text_of(of.asked.of[0], a.row) + "; " + text_of(of.asked.of[1], b.row);
+}
+
+// "K.p = K.q and S.c = K.p"; the numbers of b come behind those of a.
+std::string equal_in_words(const operands &of, const lower::predicate &p,
+                           const std::vector<bound::coincidence> &equal) {
+  const auto point = [&](const std::vector<int> &inputs) {
+    const auto input = static_cast<std::size_t>(inputs.front());
+    const std::string &path = p.stored_inputs[input]; // "A.c.x"
+    const std::size_t end = path.rfind('.');
+    return of.asked.of[input < of.reals[0] ? 0 : 1].name + path.substr(1, end - 1);
+  };
+  std::string out;
+  for (const bound::coincidence &c : equal)
+    out += fmt::format("{}{} = {}", out.empty() ? "" : " and ", point(c.x), point(c.y));
+  return out;
 }
 
 int sign_of(const oracle::rational &q) {
@@ -201,6 +220,7 @@ private:
 report verify_predicate(const lower::model &m, const lower::kernel &k, long cases, unsigned seed) {
   report out;
   const operands of(m, k);
+  out.by_text = !of.bounded();
   const lower::predicate &p = k.decision;
   const truth is_hit(m, k, of);
   lattice random(seed);
@@ -235,9 +255,10 @@ report verify_predicate(const lower::model &m, const lower::kernel &k, long case
     if (hit == want && staged == want)
       continue;
     if (out.wrong++ == 0) {
-      out.first_wrong = fmt::format("{}({}) is {}, and should be {}{}", k.asked.text, text_of(row),
-                                    hit ? "a hit" : "a miss", want ? "a hit" : "a miss",
-                                    hit == want ? ", but a reject line or the common case gets it wrong" : "");
+      out.first_wrong = fmt::format("{} is {} by the predicate{}, and {} by {}", text_of(of, a, b),
+                                    (hit == want ? staged : hit) ? "a hit" : "a miss",
+                                    hit == want ? "'s reject lines or its common case" : "", want ? "a hit" : "a miss",
+                                    out.by_text ? "the dense products of its text" : "the hulls");
     }
   }
   return out;
@@ -277,8 +298,9 @@ report verify_settled(const lower::model &m, const lower::kernel &k, const bound
       if (is_hit(a, b))
         continue;
       if (out.wrong++ == 0)
-        out.first_wrong = fmt::format("{}({}, {}) is a miss, though equal points are said to settle it", k.asked.text,
-                                      text_of(a.row), text_of(b.row));
+        out.first_wrong = fmt::format("{} is a miss by {}, and a hit by the predicate, as all are where {}",
+                                      text_of(of, a, b), of.bounded() ? "the hulls" : "the dense products of its text",
+                                      equal_in_words(of, k.decision, equal));
     }
   }
   out.hits = out.cases - out.wrong;

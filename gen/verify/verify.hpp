@@ -15,6 +15,7 @@ struct report {
   std::string first_wrong; // the first case that failed, in readable form
   std::string note;        // why nothing could be compared, where cases is 0
   long degenerate = 0, hits = 0;
+  bool by_text = false; // compared with dense products of its own text, since a kind has no hull
 };
 
 report verify_formula(const lower::model &m, const lower::kernel &k, long cases, unsigned seed);

@@ -83,6 +83,8 @@ public:
   long steps() const { return steps_; }
   // Lets numbers have this many bits, for operands that are numbers themselves.
   void allow_bits(std::size_t most) { most_bits_ = most; }
+  // Lets 0 be of any grade, so that it lies in the domain of each function, for operands that are numbers themselves.
+  void allow_zero() { zero_allowed_ = true; }
   // Lets expressions divide by numbers and call sqrt.
   void allow(number_maker &roots) { roots_ = &roots; }
   // Throws where a call of `f` is not defined for these arguments.
@@ -102,6 +104,7 @@ private:
   int depth_ = 0;
   number_maker *roots_ = nullptr;
   std::size_t most_bits_ = 4096; // of a constant, far above any reasonable spec
+  bool zero_allowed_ = false;
 
   struct level; // counts the depth of evaluation
 

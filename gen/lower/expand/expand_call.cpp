@@ -130,6 +130,9 @@ value expander::call(const lang::expr &e, const environment &env) {
 void expander::check_domain(const lang::function &f, const std::vector<value> &args, const lang::expr &call) {
   if (!f.domain)
     return;
+  for (std::size_t i = 0; zero_allowed_ && i < args.size(); ++i)
+    if (blade_of(args[i], call.args[i]->where).is_zero())
+      return;
   environment inner;
   for (std::size_t i = 0; i < args.size(); ++i)
     inner.emplace_back(f.params[i], args[i]);

@@ -28,6 +28,7 @@ const evaluated values[] = {
     {"ball_ball(S, T)", "S: sphere = 0,0,0,1; T: sphere = 2,0,0,1;", "true\n"},
     {"ball_ball(S, T)", "S: sphere = 0,0,0,1; T: sphere = 2,0,0,999999999999999999999999/1000000000000000000000000",
      "false\n"},
+    {"meet(S, L)", "S: sphere = 0,0,0,1; L: line = 1,2,3,1,2,3", "0\n"},
     {"S.r*10", "S: sphere = 0,0,0,1e-1", "1\n"},
     {"S.r", "S: sphere = +1.50,-2E+2, 7 ,12e-2", "3/25 = 0.12\n"},
     {"S.c.y", "S: sphere = +1.50,-2E+2, 7 ,12e-2", "-200\n"},

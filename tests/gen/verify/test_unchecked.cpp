@@ -25,7 +25,7 @@ std::string with_plane() {
 
 } // namespace
 
-TEST_CASE("verify compares a predicate of an operand without a hull with what the spec says") {
+TEST_CASE("verify compares a predicate of an operand without a hull with what the spec says, and says that it does") {
   const temporary_folder folder;
   const outcome checked = run(folder, "verify s.toml", with_plane(), "'above', 'norm2(meet(sphere, sphere))'");
   INFO(checked.out << checked.err);
@@ -33,6 +33,30 @@ TEST_CASE("verify compares a predicate of an operand without a hull with what th
   CHECK_THAT(checked.out, contains("above                                0 wrong of"));
   CHECK_THAT(checked.out, contains("norm2(meet(sphere, sphere))          0 wrong of"));
   CHECK_THAT(checked.out, !contains("not checked"));
+  CHECK_THAT(checked.out, contains(" degenerate), by its text\n") &&
+                              contains("no wrong question, since a kind has no hull: above\n"));
+  CHECK_THAT(run(folder, "verify s.toml", with_plane(), "'touch'").out,
+             !contains("by its text") && !contains("no hull"));
+}
+
+TEST_CASE("a counterexample names operands as eval takes them, and the equal points that the compiler trusts") {
+  const temporary_folder folder;
+  const std::string mistaken =
+      edited(small_algebra, "[functions]\n",
+             "[kinds.capsule]\nstore = ['p: point', 'q: point', 'r: real']\nhull = '[p, q]'\npad = 'r'\n"
+             "parts.ends = '[p, q]'\nwhere = 'r >= 0'\nblade = 'p^q^n'\n[functions]\n") +
+      "[predicates.endless]\nof = ['S: sphere', 'K: capsule']\nmode = 'solid'\n"
+      "hit = 'sign(norm2(meet(sphere(S.c, S.r + K.r), K))) >= 0'\n";
+  const outcome wrong = run(folder, "verify s.toml", mistaken, "'endless'");
+  INFO(wrong.out << wrong.err);
+  CHECK(wrong.code == 1);
+  const std::size_t at = wrong.out.find("first: S: sphere = ");
+  REQUIRE(at != std::string::npos);
+  const std::size_t begin = at + 7, end = wrong.out.find(" is a hit by the predicate, and a miss by the hulls", begin);
+  REQUIRE(end != std::string::npos);
+  const std::string with = wrong.out.substr(begin, end - begin);
+  CHECK(run_meetc("eval s.toml -e 'endless(S, K)' --with '" + with + "'", folder.path()).out == "true\n");
+  CHECK_THAT(wrong.out, contains(" is a miss by the hulls, and a hit by the predicate, as all are where K.p = K.q\n"));
 }
 
 TEST_CASE("verify fails where it cannot compare a predicate, unless that is allowed") {
