@@ -11,6 +11,7 @@
 
 #include "meet/core/query/ask.hpp"
 #include "meet/core/query/find.hpp"
+#include "meet/core/sets/moving_set.hpp"
 #include "meet/front/rounded.hpp"
 #include "meet/io/elements/element_set.hpp"
 #include <cga/cga_runtime.hpp>
@@ -20,7 +21,7 @@
 namespace meet {
 
 using meetc::collide_options, meetc::how, meetc::index_pair, meetc::input_error, meetc::no_element, meetc::per_element,
-    meetc::pose, meetc::prepared, meetc::rung, meetc::usage_error;
+    meetc::moving_set, meetc::pose, meetc::prepared, meetc::rung, meetc::usage_error;
 
 // ---- sets: borrowed memory, which must stay until they are prepared ----
 
@@ -50,6 +51,11 @@ inline elements boxes(const rows<6> &of) {
 // A file as it was read.
 inline elements elements_of(const meetc::io::element_set &file) {
   return {view_of(file), file.kind};
+}
+
+// A set whose elements will lie elsewhere: moving_set::update(triangles(points, faces)) looks at them again.
+inline moving_set moving(const elements &of, const pose &at = {}, int threads = 0) {
+  return {of.view, *of.kind, at, threads};
 }
 
 // ---- questions about two prepared sets, in either order of their kinds ----

@@ -34,8 +34,8 @@ set(MEETC_ALGEBRA_DIR "${PROJECT_SOURCE_DIR}/algebra_spec" CACHE INTERNAL "Folde
 
 # The headers for users, below runtime/. Headers that only others of the runtime include are not installed.
 set(MEETC_CORE_HEADERS answers/answers.hpp query/ask.hpp query/chunks.hpp query/collide.hpp query/evaluate.hpp query/find.hpp
-  query/pairs.hpp sets/moving_set.hpp sets/prepared.hpp threads/cancelled.hpp views/check.hpp views/memory.hpp views/pose.hpp
-  views/status.hpp views/usage_error.hpp views/view.hpp)
+  query/pairs.hpp sets/moving_set.hpp sets/prepared.hpp threads/cancelled.hpp threads/execution.hpp views/check.hpp
+  views/memory.hpp views/pose.hpp views/status.hpp views/usage_error.hpp views/view.hpp)
 set(MEETC_WORLD_HEADERS contacts/contacts.hpp query/fitting.hpp query/self_pairs.hpp world/world.hpp)
 set(MEETC_FRONT_HEADERS front/rounded.hpp front/row_of.hpp front/rows.hpp meet.hpp)
 set(MEETC_DEVICE_HEADERS answers/device_result.hpp collide.hpp contacts.hpp evaluate.hpp every_pair/engine.hpp group.hpp

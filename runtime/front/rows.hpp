@@ -160,6 +160,8 @@ public:
 struct elements {
   meetc::view view;
   const meetc::kind_info *kind;
+
+  operator const meetc::view &() const { return view; } // NOLINT: for calls that know the kind
 };
 
 namespace detail {

@@ -1,6 +1,7 @@
 #include "meet/core/query/evaluate.hpp"
 
 #include "meet/core/sets/element_set.hpp"
+#include "meet/core/threads/threads.hpp"
 #include "meet/core/views/usage_error.hpp"
 
 #include <algorithm>

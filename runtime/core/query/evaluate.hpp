@@ -9,7 +9,7 @@
 #define MEETC_CORE_QUERY_EVALUATE_HPP
 
 #include "meet/core/sets/prepared.hpp"
-#include "meet/core/threads/threads.hpp"
+#include "meet/core/threads/execution.hpp"
 #include "meetc/table/table.hpp"
 
 #include <span>

@@ -7,37 +7,13 @@
 #ifndef MEETC_CORE_THREADS_THREADS_HPP
 #define MEETC_CORE_THREADS_THREADS_HPP
 
-#include "meet/core/threads/cancelled.hpp"
+#include "meet/core/threads/execution.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <stop_token>
-#include <utility>
 
 namespace meetc {
-
-inline constexpr int max_threads = 256;
-
-// 0 or less: as many as the machine has. The result is never more than max_threads.
-int thread_count(int wanted);
-
-// On how many threads work runs, and what may stop it. A number alone: nothing stops it.
-struct execution {
-  int threads;
-  std::stop_token stop;
-
-  execution(int n, std::stop_token s = {}) : threads(n), stop(std::move(s)) {} // NOLINT: a number is one
-  // Throws cancelled where a stop was requested.
-  void go_on() const {
-    if (stop.stop_requested())
-      throw cancelled();
-  }
-};
-// As many threads as wanted; see thread_count().
-inline execution execution_on(int wanted, std::stop_token stop) {
-  return {thread_count(wanted), std::move(stop)};
-}
 
 // The range [0, end) in chunks, each handed out once.
 class chunk_counter {

@@ -105,6 +105,22 @@ TEST_CASE("front: a question that no predicate answers is misuse") {
   CHECK_THROWS_AS(meet::first_met(b, b), meet::usage_error);
 }
 
+TEST_CASE("front: a set whose points move goes where a prepared one does") {
+  std::vector<std::array<float, 3>> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const std::vector<std::array<std::uint32_t, 3>> faces = {{0, 1, 2}};
+  const float segment[] = {0.25F, 0.25F, -1, 0.25F, 0.25F, 1};
+  const meet::prepared through = meet::prepare(meet::segments(segment));
+  meet::moving_set cloth = meet::moving(meet::triangles(points, faces), {}, 1);
+  CHECK(meet::count(cloth, through) == 1);
+  for (auto &p : points)
+    p[2] += 2;
+  CHECK(meet::any(through, cloth));
+  cloth.update(meet::triangles(points, faces));
+  CHECK_FALSE(meet::any(cloth, through));
+  cloth.reorder(meet::triangles(points, faces), {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -2}});
+  CHECK(meet::pairs(through, cloth).size() == 1);
+}
+
 TEST_CASE("front: a set as it was read") {
   meetc::io::element_set file;
   file.kind = &meetc::find_kind(cga::catalogue(), "triangle");
