@@ -40,9 +40,11 @@ std::span<const std::uint32_t> owners_of(const std::optional<py::array> &owner);
 // Rows of two elements, 32-bit.
 std::span<const index_pair> pairs_of(const py::array &pairs);
 
-// An array of As over the memory of a vector of numbers of the same size, which it then owns.
+// An array of As over the memory of a vector of numbers of the same size, which it then owns; an empty one has none.
 template <class As, class T> py::array as_array(std::vector<T> &&numbers, std::vector<py::ssize_t> shape) {
   static_assert(sizeof(T) % sizeof(As) == 0);
+  if (numbers.empty())
+    return py::array(py::dtype::of<As>(), std::move(shape));
   auto *const held = new std::vector<T>(std::move(numbers));
   const py::capsule owner(held, [](void *p) { delete static_cast<std::vector<T> *>(p); });
   return py::array(py::dtype::of<As>(), std::move(shape), {}, held->data(), owner);

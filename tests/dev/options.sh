@@ -8,14 +8,15 @@ trap 'rm -rf "$folder"' EXIT
 cd "$source"
 
 # The options that ./dev gives to the preset.
-mapfile -t given < <(grep -oE -- '-D(MEETC_(CUDA|INSTRUCTION_SETS))\b' dev | sort -u)
-[ ${#given[@]} -eq 2 ] || {
+mapfile -t given < <(grep -oE -- '-D(MEETC_(CUDA|INSTRUCTION_SETS|WERROR))\b' dev | sort -u)
+[ ${#given[@]} -eq 3 ] || {
   echo "FAILED: ./dev gives ${given[*]}"
   exit 1
 }
 cached() { sed -nE "s/^$1:[A-Z]+=//p" "$folder/build/CMakeCache.txt"; }
-cmake --preset release -B "$folder/build" -DMEETC_CUDA=OFF -DMEETC_BUILD_TESTS=OFF -DMEETC_INSTRUCTION_SETS=avx2 >/dev/null
-[ "$(cached MEETC_CUDA) $(cached MEETC_INSTRUCTION_SETS)" = "OFF avx2" ] || {
+cmake --preset release -B "$folder/build" -DMEETC_CUDA=OFF -DMEETC_BUILD_TESTS=OFF -DMEETC_INSTRUCTION_SETS=avx2 \
+  -DMEETC_WERROR=ON >/dev/null
+[ "$(cached MEETC_CUDA) $(cached MEETC_INSTRUCTION_SETS) $(cached MEETC_WERROR)" = "OFF avx2 ON" ] || {
   echo "FAILED: a given option has no effect"
   exit 1
 }
@@ -24,7 +25,8 @@ grep -q 'MEETC_CUDA was off' "$folder/build/compile_commands.json" || {
   exit 1
 }
 cmake --preset release -B "$folder/build" -DMEETC_BUILD_TESTS=OFF >/dev/null
-[ "$(cached MEETC_CUDA) $(cached MEETC_INSTRUCTION_SETS)" = "ON avx2;avx512" ] || {
-  echo "FAILED: the preset keeps MEETC_CUDA=$(cached MEETC_CUDA), MEETC_INSTRUCTION_SETS=$(cached MEETC_INSTRUCTION_SETS)"
+[ "$(cached MEETC_CUDA) $(cached MEETC_INSTRUCTION_SETS) $(cached MEETC_WERROR)" = "ON avx2;avx512 OFF" ] || {
+  echo "FAILED: the preset keeps MEETC_CUDA=$(cached MEETC_CUDA), MEETC_INSTRUCTION_SETS=$(cached MEETC_INSTRUCTION_SETS)," \
+    "MEETC_WERROR=$(cached MEETC_WERROR)"
   exit 1
 }

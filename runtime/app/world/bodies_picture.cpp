@@ -20,7 +20,7 @@ constexpr std::size_t drawn_alone = 40;
 // Elements of one kind in their poses.
 struct posed_elements {
   io::element_set set;
-  std::vector<std::uint8_t> hit;
+  std::vector<std::uint8_t> hit; // of each; empty: none is hit
   std::size_t bodies = 0;
   std::string name; // of one body
 
@@ -31,8 +31,10 @@ struct posed_elements {
     set.elements = set.items = before + of.elements;
     set.data.resize(set.elements * fields);
     fetch(view_of(of), *of.kind, at, 0, of.elements, set.data.data() + before * fields);
-    for (std::size_t i = 0; i < of.elements; ++i)
-      hit.push_back(hit_items.empty() ? 0 : hit_items[of.owner_of(i)]);
+    if (!hit.empty() || !hit_items.empty())
+      hit.resize(set.elements);
+    for (std::size_t i = 0; i < of.elements && !hit_items.empty(); ++i)
+      hit[before + i] = hit_items[of.owner_of(i)];
     ++bodies;
   }
 };
