@@ -6,6 +6,8 @@
 namespace meetc {
 
 choice chosen(const catalogue &all, const kind_info &a, const kind_info &b, const how &asked) {
+  if (asked.mode != "solid" && asked.mode != "surface")
+    throw usage_error("no mode '" + std::string(asked.mode) + "'; there are: solid, surface");
   const std::vector<choice> fit = fitting(all, a, b);
   if (asked.predicate.empty()) {
     if (const std::optional<choice> first = first_for(fit, asked.mode))

@@ -97,6 +97,7 @@ TEST_CASE("front: a question that no predicate answers is misuse") {
   const meet::prepared a = meet::prepare(meet::boxes(boxes)), b = meet::prepare(meet::spheres(balls));
   CHECK(meet::any(a, a));
   CHECK_THROWS_AS(meet::any(a, b), meet::usage_error);
+  CHECK_THROWS_WITH(meet::any(a, a, {.mode = "surfaces"}), "no mode 'surfaces'; there are: solid, surface");
   CHECK_THROWS_WITH(meet::any(a, b),
                     Catch::Contains("no predicate in cga takes a box and a sphere, mode 'solid'; there "
                                     "are: segment_segment, point_triangle"));
