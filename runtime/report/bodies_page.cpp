@@ -53,10 +53,6 @@ frame listed(const page_frame &of) {
   return f;
 }
 
-std::string pairs_of_bodies(std::size_t n) {
-  return n == 1 ? "1 pair of bodies" : grouped(n) + " pairs of bodies";
-}
-
 std::string answer_in_words(std::span<const page_frame> all) {
   std::size_t frames = 0, touching = 0, nested = 0;
   for (const page_frame &f : all) {
@@ -100,6 +96,10 @@ std::vector<const io::element_set *> add_bodies(std::span<const page_body> bodie
 
 } // namespace
 
+std::string pairs_of_bodies(std::size_t n) {
+  return n == 1 ? "1 pair of bodies" : grouped(n) + " pairs of bodies";
+}
+
 std::vector<std::string> unknown_in_lines(std::span<const std::string> names,
                                           std::span<const world_answer *const> frames) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<std::string, std::size_t>> all;
@@ -107,11 +107,15 @@ std::vector<std::string> unknown_in_lines(std::span<const std::string> names,
     for (const nested_bodies &n : f->nested)
       if (n.how == nesting::unknown)
         ++all.try_emplace({n.a, n.b}, n.why, 0).first->second.second;
+  constexpr std::size_t most = 8;
   std::vector<std::string> out;
   for (const auto &[bodies, why] : all)
-    out.push_back(fmt::format(
-        "Unknown whether {} or {} is inside the other{}: {}.", names[bodies.first], names[bodies.second],
-        frames.size() == 1 ? "" : fmt::format(", in {} of {} frames", why.second, frames.size()), why.first));
+    if (out.size() < most)
+      out.push_back(fmt::format(
+          "Unknown whether {} or {} is inside the other{}: {}.", names[bodies.first], names[bodies.second],
+          frames.size() == 1 ? "" : fmt::format(", in {} of {} frames", why.second, frames.size()), why.first));
+  if (all.size() > most)
+    out.push_back(fmt::format("It is unknown of {} more, which JSON lists.", pairs_of_bodies(all.size() - most)));
   return out;
 }
 

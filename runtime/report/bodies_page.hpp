@@ -27,7 +27,11 @@ struct page_frame {
   const world_answer &found;
 };
 
-// "Unknown whether A or B is inside the other: why." of each two bodies, with the first reason and the number of frames.
+// "1 pair of bodies", "1,234 pairs of bodies"
+std::string pairs_of_bodies(std::size_t n);
+
+// "Unknown whether A or B is inside the other: why." of the first eight two bodies, with the first reason and the number of
+// frames, and how many more there are.
 std::vector<std::string> unknown_in_lines(std::span<const std::string> names,
                                           std::span<const world_answer *const> frames);
 

@@ -1,6 +1,7 @@
 #include "meet/app/commands/bodies_options.hpp"
 
 #include "meet/app/input/failure.hpp"
+#include "meet/io/text/number.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -12,6 +13,8 @@ namespace meetc::app {
 
 void add_bodies(CLI::App &c, bodies_arguments &to) {
   c.add_option("C", to.more, "Further bodies: the answer is then which bodies touch")->type_name("FILE");
+  c.add_flag("--bodies", to.bodies, "Take two files for bodies as well, and tell whether one lies inside the other")
+      ->disable_flag_override();
   c.add_option(
        "--world", to.world,
        "Collide the bodies that a file lists, with their poses and the pairs that may touch: {\"bodies\": [{\"name\", "
@@ -30,8 +33,9 @@ void add_bodies(CLI::App &c, bodies_arguments &to) {
   c.add_option("--only", to.only, "Ask about this pair of bodies alone, such as arm,*")->type_name("NAME,NAME");
 }
 
-void require_fit(const CLI::App &c, bool many) {
-  constexpr const char *of_many[] = {"--world", "--poses", "--allow", "--srdf", "--only"};
+void require_fit(const CLI::App &c, const bodies_arguments &given) {
+  const bool many = given.many();
+  constexpr const char *of_many[] = {"--bodies", "--world", "--poses", "--allow", "--srdf", "--only"};
   constexpr const char *of_both[] = {
       "A",       "B",        "C",         "--mode",          "--precision",       "--any",
       "--pairs", "--json",   "--threads", "--fail-on-touch", "--instruction-set", "--device",
@@ -43,7 +47,17 @@ void require_fit(const CLI::App &c, bool many) {
     const std::string name = o->get_name();
     if (o->count() == 0 || among(of_both, name) || among(of_many, name) == many)
       continue;
-    throw failure(many ? fmt::format("{}: it is for two sets, and not for many bodies", name)
+    double number = 0;
+    const auto is_number = [&number](const std::filesystem::path &p) {
+      return io::parse_decimal(p.string(), io::precision::float64, number);
+    };
+    const auto taken = std::ranges::find_if(given.more, is_number);
+    throw failure(many ? fmt::format("{}: it is for two sets, and not for many bodies{}", name,
+                                     taken == given.more.end()
+                                         ? ""
+                                         : fmt::format("; {} is taken for a file, since commas separate numbers, as in "
+                                                       "1,2,3",
+                                                       taken->string()))
                        : fmt::format("{}: it is for many bodies, as of --world or of three files and more", name));
   }
 }
@@ -52,6 +66,8 @@ bodies_request bodies_named(const bodies_arguments &given, const std::filesystem
                             const std::filesystem::path &b) {
   if (given.world && !a.empty())
     throw failure(fmt::format("{}: --world lists all bodies; name the file there", a.string()));
+  if (!given.world && b.empty())
+    throw failure("--bodies: name two files or more");
   bodies_request q;
   q.world = given.world, q.poses = given.poses, q.srdf = given.srdf;
   q.files = {a, b};

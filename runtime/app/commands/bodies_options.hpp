@@ -21,14 +21,15 @@ struct bodies_arguments {
   std::vector<std::filesystem::path> more; // after A and B
   std::vector<std::string> allowed;
   std::optional<std::string> only;
+  bool bodies = false; // two files are bodies too
 
-  bool many() const { return world || !more.empty(); }
+  bool many() const { return world || !more.empty() || bodies; }
 };
 
 void add_bodies(CLI::App &c, bodies_arguments &to);
 
 // Throws failure for an option that was given and that is for another number of bodies.
-void require_fit(const CLI::App &c, bool many);
+void require_fit(const CLI::App &c, const bodies_arguments &given);
 
 // The bodies, their poses and the pairs that are asked about. Throws failure that names the option.
 bodies_request bodies_named(const bodies_arguments &given, const std::filesystem::path &a,

@@ -234,7 +234,7 @@ command add_collide(CLI::App &program, const kernel_library &all, const kernel_l
   add_answers(c, *args);
   add_bodies(c, args->bodies);
   return {&c, [all, neighbours, args, &c]() -> printed {
-            require_fit(c, args->bodies.many());
+            require_fit(c, args->bodies);
             if (args->bodies.many())
               return collide_many(all, *args);
             if (args->request.a.empty())

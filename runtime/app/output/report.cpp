@@ -29,7 +29,8 @@ std::string predicate_in_words(const query &q, processor on) {
   const predicate_info &p = *q.by.predicate;
   const std::string mode = *p.mode ? fmt::format(" ({})", p.mode) : "";
   const std::string tolerance = q.tolerance > 0 ? fmt::format(" within {}", q.tolerance) : "";
-  return fmt::format("{}{}, {}{}, on the {}", p.name, mode, name_of(q.precision), tolerance,
+  const char *const caution = never_wrong(q.precision) || q.tolerance > 0 ? "" : ", which may be wrong";
+  return fmt::format("{}{}, {}{}{}, on the {}", p.name, mode, name_of(q.precision), tolerance, caution,
                      on == processor::cuda ? "CUDA device" : "CPU");
 }
 
@@ -123,7 +124,8 @@ std::string summary(const collide_report &r) {
   out += '\n';
   out += answer_line(r);
   if (may_be_contained(r))
-    out += "Meshes are surfaces here: an element that lies wholly inside one does not touch it.\n";
+    out +=
+        "Meshes are surfaces here: an element that lies wholly inside one does not touch it (--bodies tells of it).\n";
   out += fmt::format("\n{}: {} candidate pair{} decided\n", predicate_in_words(r.asked, f.on), grouped(f.candidates),
                      f.candidates == 1 ? "" : "s");
   if (r.asked.precision == rung::certified)

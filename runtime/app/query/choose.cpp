@@ -95,7 +95,7 @@ rung precision_named(std::string_view name) {
   for (int i = 0; i < known; ++i)
     if (name == rung_names[i])
       return static_cast<rung>(i);
-  throw failure(fmt::format("--precision {}: not in this build; known: {}", io::quote(name),
+  throw failure(fmt::format("--precision {}: there is none of this name; known: {}", io::quote(name),
                             join({rung_names, rung_names + known})));
 }
 

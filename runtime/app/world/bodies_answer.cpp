@@ -19,15 +19,16 @@ std::string nested_in_words(const bodies_scene &s, const nested_bodies &n) {
   return n.how == nesting::a_inside_b ? fmt::format("{} inside {}", a, b) : fmt::format("{} inside {}", b, a);
 }
 
-std::string touching_in_words(const bodies_scene &s, const frame_answer &f, bool any) {
+// Two bodies behind another, or each two on a line.
+std::string touching_in_words(const bodies_scene &s, const frame_answer &f, bool any, const char *between) {
   std::string out;
   for (const touching_bodies &t : f.found.touching)
     out +=
-        fmt::format("{}{} - {}{}", out.empty() ? "" : ", ", s.names[t.a], s.names[t.b],
+        fmt::format("{}{} - {}{}", out.empty() ? "" : between, s.names[t.a], s.names[t.b],
                     any ? "" : fmt::format(" ({} {})", grouped(t.found.count), t.found.count == 1 ? "pair" : "pairs"));
   for (const nested_bodies &n : f.found.nested)
     if (n.how != nesting::unknown)
-      out += (out.empty() ? "" : ", ") + nested_in_words(s, n);
+      out += (out.empty() ? "" : between) + nested_in_words(s, n);
   return out.empty() ? "nothing touches" : out;
 }
 
@@ -73,15 +74,17 @@ std::string summary(const bodies_request &q, const bodies_scene &s, const std::v
   for (const frame_answer &f : frames)
     label = std::max(label, f.name.size());
   for (const frame_answer &f : frames) {
-    out += frames.size() == 1 && f.name.empty() ? "" : fmt::format("frame {:{}}  ", f.name, label);
-    out += touching_in_words(s, f, q.any) + "\n";
+    const bool alone = frames.size() == 1 && f.name.empty();
+    out += alone ? "" : fmt::format("frame {:{}}  ", f.name, label);
+    out += touching_in_words(s, f, q.any, alone ? "\n" : ", ") + "\n";
     candidates += f.found.candidates, near += f.found.near;
     pose += f.found.pose_seconds, collide += f.found.collide_seconds;
   }
   for (const std::string &line : report::unknown_in_lines(s.names, answers_of(frames)))
     out += line + '\n';
-  out += fmt::format("\n{}, on the {}: {} pairs of bodies near each other, {} candidate pairs decided\n",
-                     name_of(q.precision), s.device.empty() ? "CPU" : s.device, grouped(near), grouped(candidates));
+  out += fmt::format("\n{}, on the {}: {} near each other, {} candidate pair{} decided\n", name_of(q.precision),
+                     s.device.empty() ? "CPU" : s.device, report::pairs_of_bodies(near), grouped(candidates),
+                     candidates == 1 ? "" : "s");
   out += fmt::format("read {:.3f} s, prepare {:.3f} s, pose {:.3f} s, collide {:.3f} s\n", s.read_seconds,
                      s.prepare_seconds, pose, collide);
   for (const auto &[file, one] : s.by_file)

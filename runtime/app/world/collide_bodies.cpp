@@ -116,6 +116,10 @@ bodies_report collide_bodies(const catalogue &all, const bodies_request &q) {
     if (*file)
       inputs.push_back(**file);
   output_files outputs(inputs);
+  if (q.pairs && q.pairs->extension() == ".csv")
+    throw failure(
+        fmt::format("--pairs {}: for many bodies it is a folder, with a file for each two that touch; name it {}",
+                    q.pairs->string(), fs::path(*q.pairs).replace_extension().string()));
   if (q.pairs)
     outputs.expect(*q.pairs / "pairs.csv", true);
   if (q.image)
@@ -132,8 +136,9 @@ bodies_report collide_bodies(const catalogue &all, const bodies_request &q) {
   if (q.srdf) {
     const srdf_pairs links = read_srdf(*q.srdf, s.names);
     from.allowed.insert(from.allowed.end(), links.allowed.begin(), links.allowed.end());
-    s.notes.push_back(fmt::format("{}: {} pairs of bodies may touch; {} lines name a link that is no body",
-                                  q.srdf->string(), links.allowed.size(), links.others));
+    s.notes.push_back(fmt::format("{}: {} may touch; {} a link that is no body", q.srdf->string(),
+                                  report::pairs_of_bodies(links.allowed.size()),
+                                  links.others == 1 ? "1 line names" : fmt::format("{} lines name", links.others)));
   }
   ignore_pairs(q, from.allowed, s);
   std::vector<frame> frames;

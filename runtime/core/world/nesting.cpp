@@ -93,8 +93,9 @@ sides sides_of(const standing_body &inner, const standing_body &outer, const exe
     }
     const std::int64_t winding = ray_walk(outer, point).winding();
     if (winding != 0 && winding != 1) {
-      found.undefined =
-          outer.name + " goes around " + element_of(inner, of.order[c.slot]) + " " + std::to_string(winding) + " times";
+      found.undefined = outer.name + " goes around " + element_of(inner, of.order[c.slot]) + " " +
+                        std::to_string(winding) +
+                        (winding == -1 ? " times, so that its normals point inwards" : " times");
       break;
     }
     (winding == 1 ? found.in : found.out) = true;

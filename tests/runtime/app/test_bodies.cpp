@@ -39,10 +39,45 @@ TEST_CASE("three files and more are bodies that stand as they are") {
   CHECK(touching(all) == names{"cube-slab", "cube-cube 2", "slab-cube 2"});
   CHECK(all["bodies"].size() == 4);
   CHECK(all["bodies"][2] == json{{"name", "ball"}, {"kind", "sphere"}, {"elements", 1}});
-  const said s = run({"collide", "cube.ply", "slab.ply", "ball.csv"});
+  const said s = run({"collide", "cube.ply", "slab.ply", "ball.csv", "cube.ply"});
   CHECK(s.code == 0);
-  CHECK(has(s.out, "cube  12 faces"));
+  CHECK(has(s.out, "cube    12 faces"));
   CHECK(has(s.out, "cube - slab ("));
+  CHECK(has(s.out, " pairs)\ncube - cube 2 (")); // each two on a line
+}
+
+TEST_CASE("two files are bodies on request, and then one may lie inside the other") {
+  put_files();
+  put("seed.csv", "x,y,z,r\n0,0,0,0.25\n");
+  const said two = run({"collide", "cube.ply", "seed.csv"}),
+             bodies = run({"collide", "--bodies", "cube.ply", "seed.csv"});
+  CHECK(has(two.out, "wholly inside one does not touch it (--bodies tells of it)"));
+  CHECK(has(bodies.out, "seed inside cube\n"));
+  CHECK(has(bodies.out, "certified, on the CPU: 1 pair of bodies near each other, "));
+  CHECK(answer({"--bodies", "cube.ply", "seed.csv"})["frames"][0]["inside"] ==
+        json{{{"inner", "seed"}, {"outer", "cube"}}});
+}
+
+TEST_CASE("of many bodies of which it is unknown, the first eight are told") {
+  put_files();
+  put("inward.obj", "v -1 -1 -1\nv 3 -1 -1\nv -1 3 -1\nv -1 -1 3\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n");
+  std::vector<std::string> all{"inward.obj"};
+  for (int i = 0; i < 10; ++i)
+    all.emplace_back("ball.csv");
+  const auto unknown_in = [](const std::string &text) {
+    std::size_t n = 0;
+    for (std::size_t at = 0; (at = text.find("Unknown whether inward or ball", at)) != std::string::npos; ++at)
+      ++n;
+    return n;
+  };
+  const std::string said_of_all = run({"collide", "inward.obj", "ball.csv", "ball.csv"}).out;
+  CHECK(unknown_in(said_of_all) == 2);
+  CHECK(has(said_of_all, " -1 times, so that its normals point inwards."));
+  std::vector<std::string> many{"collide"};
+  many.insert(many.end(), all.begin(), all.end());
+  const std::string said_of_many = run(many).out;
+  CHECK(unknown_in(said_of_many) == 8);
+  CHECK(has(said_of_many, "It is unknown of 2 pairs of bodies more, which JSON lists."));
 }
 
 TEST_CASE("bodies whose numbers float32 does not hold say so, each file once") {
@@ -264,7 +299,13 @@ TEST_CASE("options of two sets and of many bodies do not mix in silence") {
   put_files();
   world(three);
   CHECK(has(complaint({"collide", "cube.ply", "slab.ply", "ball.csv", "--translate-b", "1,0,0"}),
-            "--translate-b: it is for two sets"));
+            "--translate-b: it is for two sets, and not for many bodies\n"));
+  CHECK(has(complaint({"collide", "cube.ply", "slab.ply", "--translate-a", "1", "2", "3"}),
+            "--translate-a: it is for two sets, and not for many bodies; 2 is taken for a file, since commas separate "
+            "numbers, as in 1,2,3"));
+  CHECK(has(complaint({"collide", "cube.ply", "--bodies"}), "--bodies: name two files or more"));
+  CHECK(has(complaint({"collide", "--world", "cell.json", "--pairs", "out.csv"}),
+            "--pairs out.csv: for many bodies it is a folder, with a file for each two that touch; name it out"));
   CHECK(has(complaint({"collide", "--world", "cell.json", "--first", "x.csv"}), "--first: it is for two sets"));
   CHECK(has(complaint({"collide", "cube.ply", "slab.ply", "--poses", "p.csv"}), "--poses: it is for many bodies"));
   CHECK(has(complaint({"collide", "cube.ply", "--world", "cell.json"}), "cube.ply: --world lists all bodies"));

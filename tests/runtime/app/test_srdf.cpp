@@ -37,12 +37,12 @@ TEST_CASE("pairs of links that an SRDF file disables may touch, in either order"
                                "<disable_collisions link1='base' link2='wheel' reason='Never'>\n</disable_collisions>\n"
                                "<disable_collisions link1='door' link2='wheel'/>\n");
   CHECK(touching(all) == pairs{"base-tool", "arm & hand-tool"});
-  CHECK(all["notes"] == json{"robot.srdf: 1 pairs of bodies may touch; 2 lines name a link that is no body"});
+  CHECK(all["notes"] == json{"robot.srdf: 1 pair of bodies may touch; 2 lines name a link that is no body"});
   std::vector<std::string> more = command;
   more.insert(more.end(), {"--allow", "base,tool", "--only", "base,*"});
   const said s = run(more);
   CHECK(has(s.out, "nothing touches"));
-  CHECK(has(s.out, "robot.srdf: 1 pairs of bodies may touch; 2 lines name a link that is no body"));
+  CHECK(has(s.out, "robot.srdf: 1 pair of bodies may touch; 2 lines name a link that is no body"));
 }
 
 TEST_CASE("a link may be disabled with all others but some") {
