@@ -93,7 +93,7 @@ TEST_CASE("values of options") {
     return collide_complaint({"ball.ply", "ball.ply", option, value}, code);
   };
   for (const char *const p : {"fp16", "Certified", "FP32", ""})
-    CHECK(has(with("--precision", p), "not in this build; known: fp32, fp64, fp64x2, exact, certified"));
+    CHECK(has(with("--precision", p), "there is none of this name; known: fp32, fp64, fp64x2, exact, certified"));
   CHECK(with("--device", "tpu") == "--device 'tpu': unknown; known: auto, cpu, cuda");
   CHECK(with("--mode", "hollow") == "--mode 'hollow': unknown; known: solid, surface");
   for (const char *const n : {"-1", "257", "two", "1.5", ""})
