@@ -93,7 +93,7 @@ class Worlds(unittest.TestCase):
         unknown = world.nested().unknown
         self.assertEqual([(a, b) for a, b, _ in unknown], [("open", "seed"), ("turned", "seed")])
         self.assertIn("of open has an edge where the surface is open or not oriented", unknown[0][2])
-        self.assertEqual(unknown[1][2], "turned goes around element 0 of seed -1 times")
+        self.assertEqual(unknown[1][2], "turned goes around element 0 of seed -1 times, so that its normals point inwards")
         world.move("inner", at(100))
         world.move("seed", at(8.5))
         self.assertEqual(world.nested().overlapping, [("beside", "seed")])

@@ -175,7 +175,8 @@ TEST_CASE("where a mesh is open, or goes around a point some other number of tim
   CHECK(relation_in(open, small).why == open_at(open) + " of a" + open_in_words);
   CHECK(relation_in(small, open).why == open_at(open) + " of b" + open_in_words);
   CHECK(relation_in(turned, small).why == open_at(turned) + " of a" + open_in_words);
-  CHECK(relation_in(inside_out, small).why == "a goes around element 0 of b -1 times");
+  CHECK(relation_in(inside_out, small).why ==
+        "a goes around element 0 of b -1 times, so that its normals point inwards");
   CHECK(relation_in(nested, small).why == "a goes around element 0 of b 2 times");
   CHECK(relation_in(twice, small).why == "a goes around element 0 of b 2 times");
   CHECK(relation_in(twice, box_of({10, 10, 10}, {11, 11, 11}).surface()).relation == "b inside a");
@@ -189,7 +190,8 @@ TEST_CASE("where a mesh is open, or goes around a point some other number of tim
   const triangles sheet{{3, 3, 3, 6, 3, 4, 3, 6, 5}}; // an open mesh may lie inside, and holds nothing
   CHECK(relation_in(sheet, cube).relation == "a inside b");
   CHECK(relation_in(cube, sheet).relation == "b inside a");
-  CHECK(relation_in(sheet, inside_out).why == "b goes around element 0 of a -1 times");
+  CHECK(relation_in(sheet, inside_out).why ==
+        "b goes around element 0 of a -1 times, so that its normals point inwards");
   triangles flat = cube; // faces without area change nothing
   flat.append({{4, 2, 2, 4, 2, 2, 5, 2, 2, 1, 1, 1, 2, 2, 2, 1, 1, 1}});
   CHECK(relation_in(flat, small).relation == "b inside a");
@@ -303,7 +305,8 @@ TEST_CASE("bodies in poses lie in one another as sets that were prepared there d
   pose mirror = drawn(g, 0.2); // it turns a mesh inside out, which the sign of its winding number tells
   for (const int i : {0, 4, 8})
     mirror.m[i] = -mirror.m[i];
-  CHECK(relation_in(shapes[0], shapes[1], mirror, drawn(g, 0, 0.1)).why.ends_with(" -1 times"));
+  CHECK(relation_in(shapes[0], shapes[1], mirror, drawn(g, 0, 0.1))
+            .why.ends_with(" -1 times, so that its normals point inwards"));
   CHECK(inside > 50);
   CHECK(apart > 50);
 }
