@@ -40,10 +40,10 @@ scene load_scene(const std::string &path, const backend_choice &backends, const 
   const toml_reader in(path);
   scene s;
   s.files.push_back(in.file());
-  const auto *const algebra = in.root().get("algebra");
-  if (!in.root().contains("scene") && ((algebra && algebra->is_table()) || in.root().contains("kinds")))
-    throw spec_error(in.place(in.root()), "this is an algebra; a scene names one, and kernels: [scene] with algebra, "
-                                          "namespace and kernels");
+  for (const char *const key : {"algebra", "kinds", "functions", "predicates"})
+    if (const toml::node *const part = in.root().get(key); part && part->is_table() && !in.root().contains("scene"))
+      throw spec_error(in.place(*part), "this is an algebra; a scene names one, and kernels: [scene] with algebra, "
+                                        "namespace and kernels");
   in.allow(in.root(), "a scene", {"scene"});
   if (!in.root().contains("scene"))
     throw spec_error({in.file(), 0, 1}, fmt::format("{} has no [scene]", path));

@@ -161,7 +161,7 @@ struct elements {
   meetc::view view;
   const meetc::kind_info *kind;
 
-  operator const meetc::view &() const { return view; } // NOLINT: for calls that know the kind
+  operator meetc::view() const { return view; } // NOLINT: for calls that know the kind, which must be this one
 };
 
 namespace detail {

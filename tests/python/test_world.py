@@ -53,6 +53,20 @@ class Worlds(unittest.TestCase):
             self.assertTrue((np.diag(matrix) == 0).all())
             self.assertGreater(matrix.sum(), 0)
 
+    def test_poses_are_as_they_were_where_a_frame_fails(self):
+        world = self.row()
+        before = world.pose("b").tolist()
+        far = np.array([[at(0.5)], [at(1e39)]])
+        for ask in (world.over, world.report):
+            try:
+                ask(far, ["b"])
+                self.fail("a pose beyond float32 was taken")
+            except InputError:
+                self.assertEqual(world.pose("b").tolist(), before)
+                self.assertTrue(world.any())
+        with self.assertRaisesRegex(InputError, "poses: it has no frame"):
+            world.report(np.empty((0, 1, 4, 4)), ["b"])
+
     def test_pairs_that_may_touch(self):
         world = self.row()
         world.allow("a", "b")

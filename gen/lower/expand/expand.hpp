@@ -83,7 +83,7 @@ public:
   long steps() const { return steps_; }
   // Lets numbers have this many bits, for operands that are numbers themselves.
   void allow_bits(std::size_t most) { most_bits_ = most; }
-  // Lets 0 be of any grade, so that it lies in the domain of each function, for operands that are numbers themselves.
+  // Lets 0 be of any grade in the domain of a function, for operands that are numbers themselves.
   void allow_zero() { zero_allowed_ = true; }
   // Lets expressions divide by numbers and call sqrt.
   void allow(number_maker &roots) { roots_ = &roots; }
@@ -108,6 +108,7 @@ private:
 
   struct level; // counts the depth of evaluation
 
+  bool holds_for_grades_of_zero(const lang::function &f, const std::vector<value> &args, const lang::expr &call);
   void charge(std::size_t work, const location &where); // throws when a spec asks for too much
   multivector number(const rational &q) const;
   value name(const lang::expr &e, const environment &env);

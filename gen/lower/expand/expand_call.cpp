@@ -127,12 +127,39 @@ value expander::call(const lang::expr &e, const environment &env) {
   throw spec_error(e.where, fmt::format("unknown function '{}'", e.text));
 }
 
+// Whether some argument is 0, and the domain holds for some grades of those that are.
+bool expander::holds_for_grades_of_zero(const lang::function &f, const std::vector<value> &args,
+                                        const lang::expr &call) {
+  std::vector<std::size_t> zeros;
+  environment inner;
+  for (std::size_t i = 0; i < args.size(); ++i) {
+    inner.emplace_back(f.params[i], args[i]);
+    if (blade_of(args[i], call.args[i]->where).is_zero())
+      zeros.push_back(i);
+  }
+  const std::size_t grades = static_cast<std::size_t>(basis().vectors()) + 1;
+  std::size_t choices = zeros.empty() ? 0 : 1;
+  for (std::size_t i = 0; i < zeros.size(); ++i)
+    choices *= grades;
+  const poly::poly one = *number(1).find(0);
+  for (std::size_t choice = 0; choice < choices; ++choice) {
+    std::size_t rest = choice;
+    for (const std::size_t i : zeros) {
+      inner[i].second = value{multivector((blade{1} << rest % grades) - 1, one)};
+      rest /= grades;
+    }
+    const truth_node &domain = signs_.at(truth_of(*f.domain, inner));
+    if (domain.kind == truth_node::type::constant && domain.flag)
+      return true;
+  }
+  return false;
+}
+
 void expander::check_domain(const lang::function &f, const std::vector<value> &args, const lang::expr &call) {
   if (!f.domain)
     return;
-  for (std::size_t i = 0; zero_allowed_ && i < args.size(); ++i)
-    if (blade_of(args[i], call.args[i]->where).is_zero())
-      return;
+  if (zero_allowed_ && holds_for_grades_of_zero(f, args, call))
+    return;
   environment inner;
   for (std::size_t i = 0; i < args.size(); ++i)
     inner.emplace_back(f.params[i], args[i]);

@@ -47,18 +47,20 @@ void require_fit(const CLI::App &c, const bodies_arguments &given) {
     const std::string name = o->get_name();
     if (o->count() == 0 || among(of_both, name) || among(of_many, name) == many)
       continue;
-    double number = 0;
-    const auto is_number = [&number](const std::filesystem::path &p) {
-      return io::parse_decimal(p.string(), io::precision::float64, number);
+    const auto is_number = [&name](const std::filesystem::path &p) {
+      double number = 0;
+      return (name.starts_with("--translate") || name.starts_with("--matrix") || name.starts_with("--motor")) &&
+             io::parse_decimal(p.string(), io::precision::float64, number) && !std::filesystem::exists(p);
     };
     const auto taken = std::ranges::find_if(given.more, is_number);
-    throw failure(many ? fmt::format("{}: it is for two sets, and not for many bodies{}", name,
-                                     taken == given.more.end()
-                                         ? ""
-                                         : fmt::format("; {} is taken for a file, since commas separate numbers, as in "
-                                                       "1,2,3",
-                                                       taken->string()))
-                       : fmt::format("{}: it is for many bodies, as of --world or of three files and more", name));
+    throw failure(
+        many ? fmt::format("{}: it is for two sets, and not for many bodies{}", name,
+                           taken == given.more.end()
+                               ? ""
+                               : fmt::format("; {} is taken for a file, since commas separate numbers, as in "
+                                             "1,2,3",
+                                             taken->string()))
+             : fmt::format("{}: it is for many bodies, as of --world, of --bodies or of three files and more", name));
   }
 }
 

@@ -124,8 +124,11 @@ std::string summary(const collide_report &r) {
   out += '\n';
   out += answer_line(r);
   if (may_be_contained(r))
-    out +=
-        "Meshes are surfaces here: an element that lies wholly inside one does not touch it (--bodies tells of it).\n";
+    out += fmt::format("Meshes are surfaces here: an element that lies wholly inside one does not touch it{}.\n",
+                       never_wrong(r.asked.precision) && !r.moved_a && !r.moved_b &&
+                               std::string_view(r.asked.by.predicate->mode) != "surface"
+                           ? " (--bodies tells of it)"
+                           : "");
   out += fmt::format("\n{}: {} candidate pair{} decided\n", predicate_in_words(r.asked, f.on), grouped(f.candidates),
                      f.candidates == 1 ? "" : "s");
   if (r.asked.precision == rung::certified)

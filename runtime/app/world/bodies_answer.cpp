@@ -82,9 +82,9 @@ std::string summary(const bodies_request &q, const bodies_scene &s, const std::v
   }
   for (const std::string &line : report::unknown_in_lines(s.names, answers_of(frames)))
     out += line + '\n';
-  out += fmt::format("\n{}, on the {}: {} near each other, {} candidate pair{} decided\n", name_of(q.precision),
-                     s.device.empty() ? "CPU" : s.device, report::pairs_of_bodies(near), grouped(candidates),
-                     candidates == 1 ? "" : "s");
+  out += fmt::format("\n{}{}, on the {}: {} near each other, {} candidate pair{} decided\n", name_of(q.precision),
+                     never_wrong(q.precision) ? "" : ", which may be wrong", s.device.empty() ? "CPU" : s.device,
+                     report::pairs_of_bodies(near), grouped(candidates), candidates == 1 ? "" : "s");
   out += fmt::format("read {:.3f} s, prepare {:.3f} s, pose {:.3f} s, collide {:.3f} s\n", s.read_seconds,
                      s.prepare_seconds, pose, collide);
   for (const auto &[file, one] : s.by_file)

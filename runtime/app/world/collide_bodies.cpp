@@ -103,19 +103,19 @@ void write_page(const fs::path &to, const bodies_request &q, const bodies_scene 
   io::write_file(to, report::page_of_bodies(bodies, shown, q.precision, name_of(q.precision), s.notes));
 }
 
-} // namespace
-
-bodies_report collide_bodies(const catalogue &all, const bodies_request &q) {
-  if (q.any && (q.pairs || q.image || q.page))
-    throw failure("--any stops at the first pair and keeps none; --pairs, --image and --report need them all");
-  world_source from = q.world ? read_world(*q.world) : world_of_files(q.files);
-  std::vector<fs::path> inputs;
+std::vector<fs::path> inputs_of(const bodies_request &q, const world_source &from) {
+  std::vector<fs::path> out;
   for (const body_source &b : from.bodies)
-    inputs.push_back(b.file);
+    out.push_back(b.file);
   for (const auto *const file : {&q.world, &q.poses, &q.srdf})
     if (*file)
-      inputs.push_back(**file);
-  output_files outputs(inputs);
+      out.push_back(**file);
+  return out;
+}
+
+void expect_outputs(const bodies_request &q, output_files &outputs) {
+  if (q.any && (q.pairs || q.image || q.page))
+    throw failure("--any stops at the first pair and keeps none; --pairs, --image and --report need them all");
   if (q.pairs && q.pairs->extension() == ".csv")
     throw failure(
         fmt::format("--pairs {}: for many bodies it is a folder, with a file for each two that touch; name it {}",
@@ -126,6 +126,14 @@ bodies_report collide_bodies(const catalogue &all, const bodies_request &q) {
     outputs.expect(*q.image), check_picture(*q.image);
   if (q.page)
     outputs.expect(*q.page), check_page(*q.page);
+}
+
+} // namespace
+
+bodies_report collide_bodies(const catalogue &all, const bodies_request &q) {
+  world_source from = q.world ? read_world(*q.world) : world_of_files(q.files);
+  output_files outputs(inputs_of(q, from));
+  expect_outputs(q, outputs);
   from.allowed.insert(from.allowed.end(), q.allowed.begin(), q.allowed.end());
   bodies_scene s(all, q.mode);
   try {
@@ -170,6 +178,8 @@ bodies_report collide_bodies(const catalogue &all, const bodies_request &q) {
         throw failure(frames[i].name.empty() ? e.what() : fmt::format("frame {}: {}", frames[i].name, e.what()));
       }
       const world_answer &found = answers.back().found;
+      if (!q.pairs && !found.touching.empty() && options.want == answer_kind::pairs)
+        options.want = answer_kind::count; // the image shows this frame
       report.touch = report.touch || !found.touching.empty() ||
                      std::ranges::any_of(found.nested, [](const auto &n) { return n.how != nesting::unknown; });
       if (q.any && report.touch)

@@ -129,6 +129,8 @@ world_source world_of_files(const std::vector<fs::path> &files) {
   world_source out;
   std::map<std::string, int> seen;
   for (const fs::path &file : files) {
+    if (file == "-")
+      throw io::error("-: standard input is no body; each of many is a file");
     const std::string name = file.stem().string();
     const int times = ++seen[name];
     out.bodies.push_back({times == 1 ? name : fmt::format("{} {}", name, times), file, {}});

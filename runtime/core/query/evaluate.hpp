@@ -35,7 +35,7 @@ void columns_of(const float *rows, std::span<column> into);
 // Value i takes object i of every operand; all have as many objects. out: a column of as many numbers for each of
 // formula.result_count, which overlap neither each other nor an operand. on: how many threads, 0 is all
 // cores, and a token that may stop it. Throws usage_error where the operands are not as the formula's, and `cancelled`, after
-// which out means nothing; as all of these do.
+// which out means nothing. All of these do.
 void evaluate(const formula_info &formula, std::span<const operand_columns> operands, std::span<float *const> out,
               const execution &on = 0);
 void evaluate(const formula_info &formula, std::span<const operand_columns> operands, std::span<double *const> out,

@@ -41,8 +41,8 @@ std::size_t workspace(const predicate_info &predicate, std::size_t elements_a, s
 
 // All touching pairs (a, b), sorted by a, then b. Where *count > capacity, only some pairs are written, in no order:
 // call again with more room. Allocates nothing (though the system does for each thread that it starts, and for the exception
-// by which a request stops them). On any status but ok, *count is 0, *rungs means nothing, and the other arrays are unchanged;
-// with `cancelled` they mean nothing.
+// by which a request stops them). On any status but ok, *count is 0 and *rungs means nothing; the other arrays are unchanged,
+// but where the status is `cancelled`: then they mean nothing.
 status pairs(const predicate_info &predicate, rung precision, const view &a, const pose &at_a, const view &b,
              const pose &at_b, pairs_out out, memory work, const pairs_options &options = {}) noexcept;
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Generator, Iterable, Iterator, Sequence
+from contextlib import closing
 from typing import Literal, NamedTuple, get_args
 
 import numpy as np
@@ -170,8 +171,8 @@ class World:
         """
         names = list(names)
         matrices = self._matrices(poses, names)
-        with self._lock:
-            found = [bool(self._found("any")) for _ in self._moved(matrices, names)]
+        with self._lock, closing(self._moved(matrices, names)) as frames:
+            found = [bool(self._found("any")) for _ in frames]
         return np.array(found, np.bool_)
 
     def report(self, poses: ArrayLike | None = None, names: Sequence[str] = ()) -> Report:
@@ -184,6 +185,8 @@ class World:
         if poses is None and names:
             raise InputError("names: the bodies of no poses; name poses as well", array="names", value=names)
         matrices = np.empty((1, 0, 12)) if poses is None else self._matrices(poses, names)
+        if len(matrices) == 0:
+            raise InputError("poses: it has no frame", array="poses")
         nested = self._mode == "solid" and self._precision in ("certified", "exact")
         with self._lock:
             keys = list(self._bodies.sets)
@@ -191,17 +194,18 @@ class World:
             places = [self._bodies.poses[key] for key in keys]
             number = {key: i for i, key in enumerate(keys)}
             frames: list[BodiesFrame] = []
-            for frame, at in enumerate(self._moved(matrices, names)):
-                touching = [(number[a], number[b], count) for a, b, count, _ in self._found("count")]
-                inside = self._bodies.nested((), self._precision, self._threads) if nested else []
-                frames.append(
-                    BodiesFrame(
-                        "" if poses is None else str(frame),
-                        [(number[name], place) for name, place in zip(names, at)],
-                        touching,
-                        [(number[a], number[b], how, why) for a, b, how, why in inside],
+            with closing(self._moved(matrices, names)) as moved:
+                for frame, at in enumerate(moved):
+                    touching = [(number[a], number[b], count) for a, b, count, _ in self._found("count")]
+                    inside = self._bodies.nested((), self._precision, self._threads) if nested else []
+                    frames.append(
+                        BodiesFrame(
+                            "" if poses is None else str(frame),
+                            [(number[name], place) for name, place in zip(names, at)],
+                            touching,
+                            [(number[a], number[b], how, why) for a, b, how, why in inside],
+                        )
                     )
-                )
         return of_bodies([str(key) for key in keys], sets, places, frames, self._precision)
 
     def _repr_html_(self) -> str:
@@ -219,8 +223,8 @@ class World:
             self._require(name)
         return _arrays.poses(array.reshape(-1, *array.shape[2:]), "poses", True).reshape(len(array), len(names), 12)
 
-    def _moved(self, matrices: Doubles, names: list[str]) -> Iterator[Doubles]:
-        """The poses of each frame, in which the bodies stand meanwhile; afterwards they are where they were."""
+    def _moved(self, matrices: Doubles, names: list[str]) -> Generator[Doubles, None, None]:
+        """The poses of each frame, in which the bodies stand meanwhile; once it is closed, they are where they were."""
         before = dict(self._bodies.poses)
         try:
             for places in matrices:

@@ -70,6 +70,22 @@ TEST_CASE("eval prints exact values") {
   }
 }
 
+TEST_CASE("eval takes 0 for any grade of a function's domain, and no other argument") {
+  const temporary_folder folder;
+  folder.write("a.toml", "[algebra]\nvectors = ['e1', 'e2', 'e3']\nsquares = [1, 1, 1]\n[kinds.arrow]\ngrades = [1]\n"
+                         "[functions]\n'f(X, Y)' = {is = 'X ^ Y + e12', where = 'grade(Y) == 2'}\n"
+                         "'g(X, Y)' = {is = 'X ^ Y + e12', where = 'grade(X) + grade(Y) == 3'}\n");
+  folder.write("s.toml", "[scene]\nalgebra = 'a.toml'\nnamespace = 'k'\nkernels = ['norm2(arrow)']\n");
+  const auto of = [&](const char *call) {
+    return run_meetc(fmt::format("eval s.toml -e '{}' --with 'A: arrow = 0,0,0; B: arrow = 1,2,3'", call),
+                     folder.path());
+  };
+  CHECK(of("f(B, A)").out == "e1^e2            1\n");
+  CHECK(of("g(A, B)").out == "e1^e2            1\n");
+  for (const char *const call : {"f(A, B)", "f(B, B)", "g(B, B)"})
+    CHECK_THAT(of(call).err, contains("is not defined here"));
+}
+
 TEST_CASE("eval refuses what is no operand or no value, in one line") {
   const temporary_folder folder;
   for (const auto &[arguments, message] : refused) {
