@@ -74,7 +74,7 @@ void bodies_picture::write(const std::filesystem::path &to, const picture_view &
   const std::vector<std::vector<std::uint8_t>> hit = touching_items(s_, answer_->found);
   std::vector<std::size_t> order(s_.names.size());
   std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_partition(order, [&](std::size_t i) { return !hit[i].empty(); });
+  std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return !hit[i].empty(); });
   std::list<posed_elements> alone;
   std::map<std::string, posed_elements> together; // by kind
   for (const std::size_t i : order) {

@@ -8,8 +8,9 @@
 #include "meet/core/views/rows.hpp"
 #include "meet/core/views/usage_error.hpp"
 
+#include <algorithm>
 #include <chrono>
-#include <cstring>
+#include <iterator>
 #include <stdexcept>
 
 namespace meetc {
@@ -145,9 +146,13 @@ bool is_embedded(const view &mesh, const kind_info &kind, const pose &at, const 
   const self_result crossing = self_pairs(set, mesh, *options.embedded_by, quietly);
   return crossing.pairs.empty() && crossing.degenerate.empty();
 }
+bool same_pose(const pose &x, const pose &y) {
+  return std::equal(std::begin(x.m), std::end(x.m), std::begin(y.m)) && x.length_scale == y.length_scale &&
+         x.grid == y.grid;
+}
 embedding find_embedding(const view &a, const view &b, const contact_options &options) {
   const kind_info &kind = *options.embedded_by->apart.a;
-  const bool one = same_mesh(a, b) && std::memcmp(&options.at_a, &options.at_b, sizeof options.at_a) == 0;
+  const bool one = same_mesh(a, b) && same_pose(options.at_a, options.at_b);
   const bool both = is_embedded(a, kind, options.at_a, options) && (one || is_embedded(b, kind, options.at_b, options));
   return both ? embedding::embedded : embedding::not_embedded;
 }
