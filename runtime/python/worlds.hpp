@@ -2,6 +2,7 @@
 #ifndef MEETC_PYTHON_WORLDS_HPP
 #define MEETC_PYTHON_WORLDS_HPP
 
+#include "meet/core/views/usage_error.hpp"
 #include "meet/core/world/world.hpp"
 #include "meet/python/arrays.hpp"
 #include "meet/python/bindings.hpp"
@@ -20,7 +21,10 @@ inline answer_kind wanted(const std::string &name) {
 // How one body lies in the other, by the values of nesting.
 inline constexpr std::array<const char *, 4> nesting_names{"a inside b", "b inside a", "overlapping", "unknown"};
 inline nesting nesting_named(std::string_view name) {
-  return static_cast<nesting>(std::ranges::find(nesting_names, name) - nesting_names.begin());
+  const auto at = std::ranges::find(nesting_names, name);
+  if (at == nesting_names.end())
+    throw usage_error("no way to lie in another body: " + std::string(name));
+  return static_cast<nesting>(at - nesting_names.begin());
 }
 
 // World has world_answer touching(world_options): a world, or one on a device.

@@ -30,3 +30,19 @@ cmake --preset release -B "$folder/build" -DMEETC_BUILD_TESTS=OFF >/dev/null
     "MEETC_WERROR=$(cached MEETC_WERROR)"
   exit 1
 }
+
+# A subproject without a build type is told that it is slow, and one with a build type is not.
+mkdir "$folder/project"
+printf 'cmake_minimum_required(VERSION 3.25)\nproject(p CXX)\nadd_subdirectory("%s" meetc EXCLUDE_FROM_ALL)\n' "$source" \
+  >"$folder/project/CMakeLists.txt"
+options=(-S "$folder/project" -B "$folder/subproject" -DMEETC_CUDA=OFF -DMEETC_BUILD_GENERATOR=OFF)
+said=$(cmake "${options[@]}" 2>&1)
+[[ $said == *'meetc is compiled without optimisation'* ]] || {
+  echo "FAILED: a subproject without a build type is not told: $said"
+  exit 1
+}
+said=$(cmake "${options[@]}" -DCMAKE_BUILD_TYPE=Release 2>&1)
+[[ $said != *'without optimisation'* ]] || {
+  echo "FAILED: a subproject with a build type is told that it has none"
+  exit 1
+}

@@ -52,6 +52,12 @@ TEST_CASE("two files are bodies on request, and then one may lie inside the othe
   const said two = run({"collide", "cube.ply", "seed.csv"}),
              bodies = run({"collide", "--bodies", "cube.ply", "seed.csv"});
   CHECK(has(two.out, "wholly inside one does not touch it (--bodies tells of it)"));
+  for (const std::vector<std::string> &more : {names{"--precision", "fp32"}, names{"--translate-b", "0,0,0.125"}}) {
+    std::vector<std::string> words{"collide", "cube.ply", "seed.csv"}; // of which --bodies would tell nothing
+    words.insert(words.end(), more.begin(), more.end());
+    const std::string out = run(words).out;
+    CHECK((has(out, "does not touch it.") && !has(out, "--bodies")));
+  }
   CHECK(has(bodies.out, "seed inside cube\n"));
   CHECK(has(bodies.out, "certified, on the CPU: 1 pair of bodies near each other, "));
   CHECK(answer({"--bodies", "cube.ply", "seed.csv"})["frames"][0]["inside"] ==
