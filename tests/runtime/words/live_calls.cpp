@@ -7,6 +7,7 @@
 #include "meet/core/query/find.hpp"
 #include "meet/core/sets/element_set.hpp"
 #include "meet/core/sets/moving_set.hpp"
+#include "meet/core/threads/execution.hpp"
 
 #include <limits>
 #include <optional>
@@ -85,6 +86,27 @@ void call_cancelled(caller &under) {
   std::string said;
   under([&] { said = cancelled().what(); });
   under.answer += said;
+}
+
+void call_execution(caller &under) {
+  std::stop_source source;
+  int threads = 0;
+  bool went_on = false, stopped = false;
+  under([&] {
+    const execution on = execution_on(3, source.get_token());
+    on.go_on();
+    threads = on.threads + execution(2).threads + thread_count(max_threads + 1);
+    went_on = true;
+  });
+  source.request_stop();
+  under([&] {
+    try {
+      execution(1, source.get_token()).go_on();
+    } catch (const cancelled &) {
+      stopped = true;
+    }
+  });
+  under.add(threads), under.add(went_on), under.add(stopped);
 }
 
 void call_refuse(caller &under) {

@@ -16,6 +16,7 @@ void call_collide_in_chunks(caller &under);
 void call_moving_set(caller &under);
 void call_refuse(caller &under);
 void call_cancelled(caller &under);
+void call_execution(caller &under);
 
 } // namespace words_test
 
