@@ -39,7 +39,8 @@ set(MEETC_CORE_HEADERS answers/answers.hpp query/ask.hpp query/chunks.hpp query/
 set(MEETC_WORLD_HEADERS contacts/contacts.hpp query/fitting.hpp query/self_pairs.hpp world/world.hpp)
 set(MEETC_FRONT_HEADERS front/rounded.hpp front/row_of.hpp front/rows.hpp meet.hpp)
 set(MEETC_DEVICE_HEADERS answers/device_result.hpp collide.hpp contacts.hpp evaluate.hpp every_pair/engine.hpp group.hpp
-  memory/device.hpp memory/memory.hpp self_pairs.hpp set/device_set.hpp set/given.hpp set/rows.hpp set/tree.hpp world.hpp)
+  memory/device.hpp memory/memory.hpp self_pairs.hpp set/device_set.hpp set/fours.hpp set/given.hpp set/rows.hpp
+  set/tree.hpp world.hpp)
 set(MEETC_IO_HEADERS elements/element_set.hpp elements/transform.hpp files/atomic_file.hpp files/error.hpp read.hpp
   text/rounded.hpp write.hpp)
 
