@@ -71,16 +71,16 @@ TEST_CASE("trade: the user's own sets, in either order, and files that are writt
   CHECK(table(one, "queries")[0]["pairs"] == table(other, "queries")[0]["pairs"]);
   if (std::system("gnuplot --version >/dev/null 2>&1") != 0)
     return;
-  const said s = run({"trade", "ring.ply", "ring.ply", "--quick", "--repetitions", "1", "-o", "page"});
+  const said s = run({"trade", "ring.ply", "ring.ply", "--quick", "--repetitions", "1", "-o", "trade_page"});
   REQUIRE(s.code == 0);
-  CHECK(has(s.out, "wrote page/trade.csv"));
-  CHECK(files_in(at("page")) == 13); // the page, its numbers, a picture, and ten maps
-  CHECK(has(get(at("page/trade.md")), "# The trade of speed for accuracy"));
-  const std::string csv = get(at("page/trade.csv"));
+  CHECK(has(s.out, "wrote trade_page/trade.csv"));
+  CHECK(files_in(at("trade_page")) == 13); // the page, its numbers, a picture, and ten maps
+  CHECK(has(get(at("trade_page/trade.md")), "# The trade of speed for accuracy"));
+  const std::string csv = get(at("trade_page/trade.csv"));
   CHECK(csv.rfind("family,predicate,method,pairs,hits,ns_a_pair,", 0) == 0);
   CHECK(has(csv, "\nfiles,triangle_triangle,\"certified\","));
   for (const char *const picture : {"trade.png", "map_triangle_triangle.png", "map_ball_ball.png"})
-    CHECK(get(at(std::string("page/") + picture)).rfind("\x89PNG", 0) == 0);
+    CHECK(get(at(std::string("trade_page/") + picture)).rfind("\x89PNG", 0) == 0);
 }
 
 TEST_CASE("trade: names of files are names, and files without candidates") {
