@@ -66,8 +66,7 @@ meetc::cuda::pose_matrix as_pose_matrix(const meetc::pose &p) {
   return out;
 }
 
-std::vector<meetc::index_pair> sorted(std::vector<meetc::index_pair> pairs, std::size_t n) {
-  pairs.resize(n);
+std::vector<meetc::index_pair> sorted(std::vector<meetc::index_pair> pairs) {
   std::sort(pairs.begin(), pairs.end(),
             [](meetc::index_pair x, meetc::index_pair y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
   return pairs;
@@ -109,7 +108,7 @@ bool are_all(const caller &on, meetc::every_pair::query q, const meetc::result &
   const buffer<meetc::index_pair> out(want.count + 1);
   q.pairs = out.data(), q.capacity = want.count + 1;
   found = on.run(q);
-  return found.count == want.count && same_list(sorted(out.read(), found.count), want.pairs);
+  return found.count == want.count && same_list(sorted(out.read(found.count)), want.pairs);
 }
 
 } // namespace

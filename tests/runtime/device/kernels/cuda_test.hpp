@@ -39,9 +39,11 @@ public:
   buffer(const buffer &) = delete;
   buffer &operator=(const buffer &) = delete;
   T *data() const { return data_; }
-  std::vector<T> read() const {
-    std::vector<T> out(size_);
-    check(cudaMemcpy(out.data(), data_, size_ * sizeof(T), cudaMemcpyDeviceToHost), "copy from the device");
+  std::vector<T> read() const { return read(size_); }
+  // The first n.
+  std::vector<T> read(std::size_t n) const {
+    std::vector<T> out(n);
+    check(cudaMemcpy(out.data(), data_, n * sizeof(T), cudaMemcpyDeviceToHost), "copy from the device");
     return out;
   }
 
