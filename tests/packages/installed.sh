@@ -15,7 +15,9 @@ for header in "$@"; do
   meetc/environment/version.hpp) continue ;; # made in the build
   meetc/*) file=$runtime/kernel/$header ;;
   meet/*) file=$runtime/${header#meet/} ;;
+  *) echo "$header is in no folder of the runtime" >&2; exit 1 ;;
   esac
+  [ -r "$file" ] || { echo "$header is not there: $file" >&2; exit 1; }
   while read -r included; do
     seen=$((seen + 1))
     [ -n "${installed[$included]:-}" ] || { echo "$header includes $included, which is not installed"; missing=1; }
