@@ -30,7 +30,8 @@ set(CPACK_COMPONENTS_ALL meetc_program meetc_generator meetc_runtime meetc_confi
 set(python_files "")
 if(TARGET meetc_python)
   list(APPEND CPACK_COMPONENTS_ALL meetc_debian_python)
-  # A module belongs to one version of Python.
+  # A module belongs to one version of Python, whose variables are those of the folder that found it.
+  find_package(Python REQUIRED COMPONENTS Interpreter)
   math(EXPR next "${Python_VERSION_MINOR} + 1")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
     "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next}), python3-numpy")

@@ -13,11 +13,14 @@ done
 chroot "$folder" bash -euo pipefail -c '
   export DEBIAN_FRONTEND=noninteractive
   apt-get update -qq
-  apt-get install -y -qq --no-install-recommends /packages/*.deb g++ pkg-config
+  apt-get install -y -qq --no-install-recommends /packages/*.deb g++ cmake make pkg-config
   cd /tmp
   meet demo -o demo
   meet collide demo/animal.ply demo/figure.ply
   meetc new cell
+  cmake -S cell -B cell/build
+  cmake --build cell/build
+  cell/build/first
   python3 -c "
 import numpy as np, meetc
 a = meetc.Set(np.float32([[0, 0, 0], [1, 0, 0], [0, 1, 0]]), np.int32([[0, 1, 2]]))
@@ -31,5 +34,5 @@ CPP
   g++ -std=c++20 program.cpp $(pkg-config --cflags --libs meetc) -o program
   ./program
   apt-get remove -y -qq meetc libmeetc-dev python3-meetc
-  ! command -v meet'
+  [ ! -e /usr/bin/meet ] && [ ! -e /usr/include/meet ]'
 echo "the packages work in a fresh Debian"
