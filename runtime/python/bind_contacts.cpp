@@ -2,6 +2,7 @@
 #include "meet/python/arrays.hpp"
 #include "meet/python/bindings.hpp"
 #include "meet/python/columns.hpp"
+#include "meet/python/signals.hpp"
 
 #include <cstddef>
 #include <cstring>
@@ -43,13 +44,16 @@ std::vector<element_part> cleared(std::vector<element_part> &&parts) {
 template <class Real>
 py::dict find(const side &a, const side &b, const predicate_info &predicate, std::span<const index_pair> pairs,
               bool embedded, int threads) {
+  const std::size_t checked = embedded ? a.elements.elements + b.elements.elements : 0;
   contact_set<Real> c;
-  {
-    const py::gil_scoped_release others_run;
-    c = contacts<Real>(
-        a.elements, b.elements, predicate, pairs,
-        {.at_a = a.at, .at_b = b.at, .threads = threads, .embedded_by = embedded ? &of_one_mesh() : nullptr});
-  }
+  stoppable(pairs.size() + checked, [&](const std::stop_token &stop) {
+    c = contacts<Real>(a.elements, b.elements, predicate, pairs,
+                       {.at_a = a.at,
+                        .at_b = b.at,
+                        .threads = threads,
+                        .stop = stop,
+                        .embedded_by = embedded ? &of_one_mesh() : nullptr});
+  });
   const auto nodes = static_cast<py::ssize_t>(c.nodes()), pieces = static_cast<py::ssize_t>(c.pieces.size());
   py::dict out;
   out["codes"] = as_array<std::uint64_t>(std::move(c.codes));

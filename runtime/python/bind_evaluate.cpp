@@ -1,5 +1,6 @@
 #include "meet/python/bindings.hpp"
 #include "meet/python/columns.hpp"
+#include "meet/python/signals.hpp"
 
 #include <cga/cga_runtime.hpp>
 
@@ -25,25 +26,35 @@ std::vector<formula_row> formulas() {
   return out;
 }
 
+// An array of a formula's values, one row for each column, and where these begin.
+template <class Number> struct value_columns {
+  py::array_t<Number> numbers;
+  std::vector<Number *> columns;
+
+  value_columns(const formula_info &f, std::size_t count)
+      : numbers({static_cast<py::ssize_t>(f.result_count), static_cast<py::ssize_t>(count)}) {
+    for (int k = 0; k < f.result_count; ++k)
+      columns.push_back(numbers.mutable_data() + static_cast<std::size_t>(k) * count);
+  }
+  std::span<Number *const> all() const { return columns; }
+};
+
 template <class Number>
 py::array on_columns(const formula_info &f, std::span<const operand_columns> operands,
                      const std::optional<py::array> &rows, int threads) {
   const std::size_t each = operands.size();
   const std::size_t count =
       rows ? static_cast<std::size_t>(rows->size()) / std::max<std::size_t>(each, 1) : common_objects(f, operands);
-  const auto columns = static_cast<std::size_t>(f.result_count);
-  std::vector<Number> numbers(count * columns);
-  {
-    const py::gil_scoped_release others_run;
-    std::vector<Number *> into;
-    for (std::size_t k = 0; k < columns; ++k)
-      into.push_back(numbers.data() + k * count);
+  const value_columns<Number> values(f, count);
+  const auto listed = rows ? span_of<std::uint32_t>(*rows) : std::span<const std::uint32_t>();
+  stoppable(count, [&](const std::stop_token &stop) {
+    const execution on(threads, stop);
     if (count > 0 && rows)
-      evaluate(f, operands, span_of<std::uint32_t>(*rows), std::span<Number *const>(into), threads);
+      evaluate(f, operands, listed, values.all(), on);
     else if (count > 0)
-      evaluate(f, operands, std::span<Number *const>(into), threads);
-  }
-  return as_array<Number>(std::move(numbers), {f.result_count, static_cast<py::ssize_t>(count)});
+      evaluate(f, operands, values.all(), on);
+  });
+  return values.numbers;
 }
 
 py::array evaluate_columns(const std::string &formula, const std::vector<std::vector<py::array>> &operands,
@@ -59,12 +70,10 @@ py::array evaluate_columns(const std::string &formula, const std::vector<std::ve
 template <class Number>
 py::array on_pairs(const formula_info &f, const prepared &a, const prepared &b, std::span<const index_pair> pairs,
                    int threads) {
-  formula_values<Number> values;
-  {
-    const py::gil_scoped_release others_run;
-    values = evaluate<Number>(f, a, b, pairs, threads);
-  }
-  return as_rows(f, std::move(values));
+  const value_columns<Number> values(f, pairs.size());
+  stoppable(pairs.size(),
+            [&](const std::stop_token &stop) { evaluate(f, a, b, pairs, values.all(), execution(threads, stop)); });
+  return values.numbers;
 }
 
 py::array evaluate_pairs(const std::string &formula, const prepared &a, const prepared &b, const py::array &pairs,

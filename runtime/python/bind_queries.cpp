@@ -1,8 +1,8 @@
 #include "meet/core/query/collide.hpp"
 #include "meet/python/bindings.hpp"
-#include "meet/python/faults.hpp"
 #include "meet/python/poses.hpp"
 #include "meet/python/questions.hpp"
+#include "meet/python/signals.hpp"
 
 namespace meetc::python {
 

@@ -2,6 +2,7 @@
 #include "meet/io/files/error.hpp"
 #include "meet/python/arrays.hpp"
 #include "meet/python/bindings.hpp"
+#include "meet/python/signals.hpp"
 #include "meet/python/worlds.hpp"
 #include "meet/report/bodies_page.hpp"
 #include "meet/report/sets_page.hpp"
@@ -69,8 +70,11 @@ std::optional<contact_set<double>> found_contacts(const predicate_info &by, cons
   };
   const auto [a, at_a] = seen(first, *by.a);
   const auto [b, at_b] = seen(second, *by.b);
-  const py::gil_scoped_release others_run;
-  return contacts<double>(a, b, by, elements, {at_a, at_b, threads});
+  contact_set<double> found;
+  stoppable(elements.size(), [&](const std::stop_token &stop) {
+    found = contacts<double>(a, b, by, elements, {at_a, at_b, threads, stop});
+  });
+  return found;
 }
 
 py::bytes page_of_two(const set_of_page &a, const std::optional<set_of_page> &other, const std::string &predicate,

@@ -2,7 +2,7 @@
 #include "meet/core/query/self_pairs.hpp"
 #include "meet/python/arrays.hpp"
 #include "meet/python/bindings.hpp"
-#include "meet/python/faults.hpp"
+#include "meet/python/signals.hpp"
 
 #include <cga/cga_runtime.hpp>
 #include <neighbours/neighbours_runtime.hpp>

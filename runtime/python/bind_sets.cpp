@@ -1,6 +1,7 @@
 #include "meet/core/sets/prepared.hpp"
 #include "meet/python/arrays.hpp"
 #include "meet/python/bindings.hpp"
+#include "meet/python/signals.hpp"
 
 namespace meetc::python {
 
@@ -12,8 +13,11 @@ std::shared_ptr<prepared> prepare_arrays(const std::string &kind, const py::arra
   const kind_info &of = kind_named(kind);
   const view elements = view_of(of, numbers, index);
   const pose place = at ? place_of(*at, of) : pose{};
-  const py::gil_scoped_release others_run;
-  return std::make_shared<prepared>(prepare(elements, of, place, threads));
+  std::shared_ptr<prepared> out;
+  stoppable(elements.elements, [&](const std::stop_token &stop) {
+    out = std::make_shared<prepared>(prepare(elements, of, place, threads, nullptr, stop));
+  });
+  return out;
 }
 
 } // namespace

@@ -60,12 +60,4 @@ void bind_faults(py::module_ &module) {
   });
 }
 
-std::function<void(double)> check_signals() {
-  return [](double) {
-    const py::gil_scoped_acquire hold;
-    if (PyErr_CheckSignals() != 0)
-      throw py::error_already_set();
-  };
-}
-
 } // namespace meetc::python

@@ -1,8 +1,7 @@
-// python/faults.hpp: the library's exceptions as those of Python, and Ctrl-C during a query.
+// python/faults.hpp: the library's exceptions as those of Python.
 #ifndef MEETC_PYTHON_FAULTS_HPP
 #define MEETC_PYTHON_FAULTS_HPP
 
-#include <functional>
 #include <pybind11/pybind11.h>
 
 namespace meetc::python {
@@ -10,9 +9,6 @@ namespace meetc::python {
 // Adds the exceptions Fault (of an element: kind, element, field, value, index and rule as attributes) and FileFault.
 // Standard exceptions become ValueError, IndexError and MemoryError by pybind11 itself.
 void bind_faults(pybind11::module_ &module);
-
-// For collide_options::progress: takes the interpreter's lock, and throws what a handler of a signal raises.
-std::function<void(double)> check_signals();
 
 } // namespace meetc::python
 

@@ -6,7 +6,7 @@
 #include "meet/core/world/world.hpp"
 #include "meet/python/arrays.hpp"
 #include "meet/python/bindings.hpp"
-#include "meet/python/faults.hpp"
+#include "meet/python/signals.hpp"
 
 #include <algorithm>
 #include <array>

@@ -12,6 +12,8 @@ from concurrent.futures import ThreadPoolExecutor
 import meetc
 import numpy as np
 from meetc import Set
+from meetc._asked import ask
+from meetc._contacts import contacts_of
 from shapes import lattice_triangles, sphere_mesh
 
 # Every pair of 40,000 triangles touches: a query of some minutes, which only a signal ends.
@@ -100,6 +102,52 @@ class Threads(unittest.TestCase):
             signal.setitimer(signal.ITIMER_REAL, 0)
             signal.signal(signal.SIGALRM, before)
         self.assertGreater(meetc.count(a, a), len(f))
+
+    def test_a_handler_ends_other_long_calls(self):
+        rng = np.random.default_rng(10)
+        numbers = rng.random((1000, 4), np.float32)
+        spheres = Set.spheres(numbers[:, :3], numbers[:, 3], solid=False)
+        rows = np.ascontiguousarray(rng.integers(0, 1000, (15_000_000, 2)), np.int32)
+        corners = rng.random((20000, 3, 3), np.float32)
+        asked = ask(Set.triangles(corners[:100]), Set.triangles(corners), "certified", 1)
+        pairs = np.ascontiguousarray(np.tile(asked.question().pairs(False), (3, 1)))
+        formula = {"dtype": np.float64, "threads": 1}
+        many = rng.random((3_000_000, 3, 3), np.float32)
+
+        class Enough(Exception):
+            pass
+
+        def handler(*_):
+            raise Enough
+
+        before = signal.signal(signal.SIGALRM, handler)
+        try:
+            for call in (
+                lambda: meetc.evaluate("meet(sphere,sphere)", numbers, numbers, rows=rows, **formula),
+                lambda: meetc.evaluate("meet(sphere,sphere)", spheres, spheres, rows=rows, **formula),
+                lambda: contacts_of(asked, pairs, True),
+                lambda: Set.triangles(many, threads=1),
+            ):
+                whole = min(seconds_of(call) for _ in range(3))
+                stopped = []
+                for _ in range(3):
+                    signal.setitimer(signal.ITIMER_REAL, whole / 5)
+                    start = time.perf_counter()
+                    with self.assertRaises(Enough):
+                        call()
+                        time.sleep(1)
+                    stopped.append(time.perf_counter() - start)
+                self.assertLess(min(stopped), 0.8 * whole)
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0)
+            signal.signal(signal.SIGALRM, before)
+        self.assertEqual(len(contacts_of(asked, pairs[:9], True)["codes"]), 9)
+
+
+def seconds_of(call):
+    start = time.perf_counter()
+    call()
+    return time.perf_counter() - start
 
 
 if __name__ == "__main__":

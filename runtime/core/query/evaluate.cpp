@@ -75,6 +75,36 @@ std::vector<std::uint32_t> slots_of(const prepared &p) {
   return out;
 }
 
+template <class Number>
+void evaluate_pairs(const formula_info &formula, const prepared &a, const prepared &b,
+                    std::span<const index_pair> pairs, std::span<Number *const> out, const execution &on) {
+  const prepared *const sets[] = {&a, &b};
+  if (formula.operand_count != 2 || std::string_view(formula.operands[0].kind) != a.kind().name ||
+      std::string_view(formula.operands[1].kind) != b.kind().name)
+    throw usage_error(std::string(formula.name) + " does not take a " + a.kind().name + " and a " + b.kind().name);
+  std::vector<std::uint32_t> rows(2 * pairs.size());
+  const std::vector<std::uint32_t> slot_a = slots_of(a), slot_b = slots_of(b);
+  const auto slot = [&](const std::vector<std::uint32_t> &slots, std::uint32_t element, char side) {
+    if (element >= slots.size() || slots[element] >= slots.size())
+      throw std::out_of_range("element " + std::to_string(element) + " of " + side + " is not in the set");
+    return slots[element];
+  };
+  for_strips(on, pairs.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      rows[2 * i] = slot(slot_a, pairs[i].a, 'a');
+      rows[2 * i + 1] = slot(slot_b, pairs[i].b, 'b');
+    }
+  });
+  std::vector<column> columns[2];
+  operand_columns operands[2];
+  for (std::size_t k = 0; k < 2; ++k) {
+    columns[k].resize(static_cast<std::size_t>(sets[k]->kind().fields));
+    columns_of(sets[k]->set().rows, columns[k]);
+    operands[k] = {columns[k], sets[k]->set().elements};
+  }
+  evaluate_all(formula, columns_of(formula, operands), rows.data(), pairs.size(), out, on);
+}
+
 } // namespace
 
 const formula_info *find_formula(const catalogue &all, std::string_view text) {
@@ -173,40 +203,25 @@ void evaluate(const formula_info &formula, std::span<const operand_columns> oper
   evaluate_rows(formula, operands, rows, out, on);
 }
 
+void evaluate(const formula_info &formula, const prepared &a, const prepared &b, std::span<const index_pair> pairs,
+              std::span<float *const> out, const execution &on) {
+  evaluate_pairs(formula, a, b, pairs, out, on);
+}
+void evaluate(const formula_info &formula, const prepared &a, const prepared &b, std::span<const index_pair> pairs,
+              std::span<double *const> out, const execution &on) {
+  evaluate_pairs(formula, a, b, pairs, out, on);
+}
+
 template <class Number>
 formula_values<Number> evaluate(const formula_info &formula, const prepared &a, const prepared &b,
                                 std::span<const index_pair> pairs, const execution &on) {
-  const prepared *const sets[] = {&a, &b};
-  if (formula.operand_count != 2 || std::string_view(formula.operands[0].kind) != a.kind().name ||
-      std::string_view(formula.operands[1].kind) != b.kind().name)
-    throw usage_error(std::string(formula.name) + " does not take a " + a.kind().name + " and a " + b.kind().name);
-  std::vector<std::uint32_t> rows(2 * pairs.size());
-  const std::vector<std::uint32_t> slot_a = slots_of(a), slot_b = slots_of(b);
-  const auto slot = [&](const std::vector<std::uint32_t> &slots, std::uint32_t element, char side) {
-    if (element >= slots.size() || slots[element] >= slots.size())
-      throw std::out_of_range("element " + std::to_string(element) + " of " + side + " is not in the set");
-    return slots[element];
-  };
-  for_strips(on, pairs.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      rows[2 * i] = slot(slot_a, pairs[i].a, 'a');
-      rows[2 * i + 1] = slot(slot_b, pairs[i].b, 'b');
-    }
-  });
-  std::vector<column> columns[2];
-  operand_columns operands[2];
-  for (std::size_t k = 0; k < 2; ++k) {
-    columns[k].resize(static_cast<std::size_t>(sets[k]->kind().fields));
-    columns_of(sets[k]->set().rows, columns[k]);
-    operands[k] = {columns[k], sets[k]->set().elements};
-  }
   formula_values<Number> out;
   out.count = pairs.size();
   out.numbers.resize(out.count * static_cast<std::size_t>(formula.result_count));
   std::vector<Number *> into;
   for (int k = 0; k < formula.result_count; ++k)
     into.push_back(out.numbers.data() + static_cast<std::size_t>(k) * out.count);
-  evaluate_all(formula, columns_of(formula, operands), rows.data(), out.count, std::span<Number *const>(into), on);
+  evaluate(formula, a, b, pairs, std::span<Number *const>(into), on);
   return out;
 }
 template formula_values<float> evaluate(const formula_info &, const prepared &, const prepared &,

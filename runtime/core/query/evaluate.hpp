@@ -65,8 +65,12 @@ void require_rows(const formula_info &formula, std::span<const operand_columns> 
                   std::span<const std::uint32_t> rows, const execution &on = 0);
 
 // The values for pairs of elements of two prepared sets, as they were posed when they were prepared: pairs[i].a is an element
-// of a, the formula's first operand. Throws usage_error where the formula does not take these two kinds, and
-// std::out_of_range for an element that a set does not hold.
+// of a, the formula's first operand. out: as above. Throws usage_error where the formula does not take these two kinds, and
+// std::out_of_range for an element that a set does not hold, before anything is written.
+void evaluate(const formula_info &formula, const prepared &a, const prepared &b, std::span<const index_pair> pairs,
+              std::span<float *const> out, const execution &on = 0);
+void evaluate(const formula_info &formula, const prepared &a, const prepared &b, std::span<const index_pair> pairs,
+              std::span<double *const> out, const execution &on = 0);
 template <class Number>
 formula_values<Number> evaluate(const formula_info &formula, const prepared &a, const prepared &b,
                                 std::span<const index_pair> pairs, const execution &on = 0);

@@ -21,7 +21,7 @@ one with points and faces (PyVista), or a tuple (vertices, faces), which is prep
 
 Answers are exact for the float32 numbers of a set. Bad input raises InputError, a ValueError whose one line names the
 array, the row and the value; TypeError for what is no array of numbers; IndexError for rows of evaluate() that are not
-there. Ctrl-C ends a query. Queries release the interpreter's lock, and a set may be used by several threads.
+there. Ctrl-C ends a call. Queries release the interpreter's lock, and a set may be used by several threads.
 """
 
 from meetc._contacts import Contacts, Lines, Root, contacts
