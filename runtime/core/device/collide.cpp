@@ -5,6 +5,7 @@
 #include "meet/core/device/query/query.hpp"
 #include "meet/core/device/set/cull.hpp"
 #include "meet/core/device/set/order.hpp"
+#include "meet/core/threads/execution.hpp"
 
 #include <chrono>
 #include <vector>
@@ -82,6 +83,7 @@ device_result collide(const device &on, device_set &a, device_set &b, const pred
     if (options.leave_there)
       options.leave_there->clear();
     require_query(on, a, b, predicate, precision, options);
+    go_on(options.stop);
     return find_touching(on, a, b, predicate, precision, options);
   });
 }

@@ -9,6 +9,7 @@
 
 #include "meet/core/device/answers/element_numbers.hpp"
 #include "meet/core/device/query/query.hpp"
+#include "meet/core/threads/execution.hpp"
 #include "meet/core/views/pose.hpp"
 #include "meet/core/views/usage_error.hpp"
 
@@ -49,6 +50,7 @@ public:
     // Until it is known how many candidates a pose has, fewer, but where a sample of B has left those that have few.
     std::size_t at_once = few_expected ? most : std::max<std::size_t>(1, most / 4);
     for (std::size_t first = 0, taken = 0; first < numbers.size(); first += taken) {
+      go_on(options_.stop);
       const auto of = numbers.subspan(first, std::min(at_once, numbers.size() - first));
       taken = of.size();
       some.clear();

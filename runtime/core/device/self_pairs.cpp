@@ -7,6 +7,7 @@
 #include "meet/core/device/query/parts.hpp"
 #include "meet/core/device/query/query.hpp"
 #include "meet/core/query/operand.hpp"
+#include "meet/core/threads/execution.hpp"
 #include "meet/core/views/collinear.hpp"
 #include "meet/core/views/usage_error.hpp"
 #include "meetc/cuda/cascade.hpp"
@@ -171,6 +172,7 @@ device_self_result find_self_pairs(const device &on, device_set &mesh, const sel
                                    const cuda::catalogue &neighbours, const device_self_options &options) {
   const auto start = std::chrono::steady_clock::now();
   require_mesh(on, mesh, by, options);
+  go_on(options.stop);
   const cuda::predicate_launchers &apart = launchers_of(on.kernels(), by.apart),
                                   &one = launchers_of(neighbours, by.one_common),
                                   &two = launchers_of(neighbours, by.two_common);
@@ -188,9 +190,9 @@ device_self_result find_self_pairs(const device &on, device_set &mesh, const sel
         std::make_unique<on_device::element_pairs>(options.leave_there)};
     answers[0]->start({on, rows, rows});
     device_result found;
-    decide_all(
-        {on, rows, rows, apart, rung::certified, true, answers, options.list_capacity, options.progress, false, &sieve},
-        found);
+    decide_all({on, rows, rows, apart, rung::certified, true, answers, options.list_capacity, options.progress,
+                options.stop, false, &sieve},
+               found);
     answers[0]->finish();
     answers[0]->download(found);
     r.degenerate = flat.confirmed();

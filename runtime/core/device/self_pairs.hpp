@@ -21,6 +21,7 @@ struct device_self_options {
   pairs_there *leave_there = nullptr;               // as in device_options
   std::size_t list_capacity = std::size_t{1} << 25; // likewise
   std::function<void(double fraction)> progress = {};
+  std::stop_token stop = {}; // as in device_options
 };
 
 struct device_self_result : self_result {

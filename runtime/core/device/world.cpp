@@ -1,6 +1,7 @@
 #include "meet/core/device/world.hpp"
 
 #include "meet/core/device/collide.hpp"
+#include "meet/core/threads/execution.hpp"
 
 #include <chrono>
 #include <cstring>
@@ -44,8 +45,10 @@ world_answer device_world::ask(const world_options &options) {
   const std::vector<near_bodies> pairs = of_.near(options.of);
   bodies_.resize(of_.size());
   for (const near_bodies &p : pairs)
-    for (const std::uint32_t b : {p.a, p.b})
+    for (const std::uint32_t b : {p.a, p.b}) {
+      go_on(options.stop);
       place(b);
+    }
   world_answer out;
   out.near = pairs.size();
   out.pose_seconds = seconds_since(start);
@@ -59,6 +62,7 @@ world_answer device_world::ask(const world_options &options) {
     const near_bodies &p = pairs[i];
     device_options of_pair;
     of_pair.want = options.want;
+    of_pair.stop = options.stop;
     of_pair.owner_a = of_.owners(p.first()), of_pair.owner_b = of_.owners(p.second());
     device_result r = collide(on_, bodies_[p.first()]->there, bodies_[p.second()]->there, *p.by.predicate,
                               options.precision, of_pair);

@@ -355,6 +355,7 @@ constexpr entry all[] = {
     {"execution::execution", call_execution},
     {"execution::go_on", call_execution},
     {"execution_on", call_execution},
+    {"go_on", call_execution},
     {"thread_count", call_execution},
     {"moving_set::moving_set", call_moving_set},
     {"moving_set::update", call_moving_set},

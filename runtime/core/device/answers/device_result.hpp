@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <utility>
 
 namespace meetc {
@@ -44,6 +45,7 @@ struct device_options {
   pairs_there *leave_there = nullptr;
   std::size_t list_capacity = std::size_t{1} << 25; // pairs in a list, at least 2^11
   std::function<void(double fraction)> progress = {};
+  std::stop_token stop = {}; // as in collide_options; looked at before the query and after each part of the walk
 };
 
 struct device_result : result {

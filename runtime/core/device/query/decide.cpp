@@ -4,6 +4,7 @@
 #include "meet/core/device/query/parts.hpp"
 #include "meet/core/device/walk/first_walk.hpp"
 #include "meet/core/device/walk/walk.hpp"
+#include "meet/core/threads/execution.hpp"
 #include "meetc/cuda/cascade.hpp"
 
 #include <algorithm>
@@ -63,6 +64,7 @@ public:
       }
       const bool is_whole = area(p) == area(whole);
       find(p, is_whole);
+      go_on(job_.stop); // no kernel runs now
       ++r.parts;
       if (!lists_.hold(1) && !answered()) {
         left.push_back(p);

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <stop_token>
 
 namespace meetc {
 
@@ -22,13 +23,14 @@ struct decision_job {
   device_answers answers; // which have started
   std::size_t list_capacity;
   const std::function<void(double fraction)> &progress;
+  const std::stop_token &stop;
   bool counts_cleared; // in the device's buffers, for the first part
   // Where pairs are listed, and no walk decides: what is decided is what it keeps, and hits are listed one way. Null: all.
   candidate_sieve *sieve = nullptr;
   bool first_alone = false; // only what is met first is asked for, and segments go down alone to it, if they can
 };
 
-// Adds to r's count, candidates, unsure pairs and parts. Marks the clock behind the last kernel. Throws device_error.
+// Adds to r's count, candidates, unsure pairs and parts. Marks the clock behind the last kernel. Throws device_error or `cancelled`.
 void decide_all(const decision_job &job, device_result &r);
 
 } // namespace meetc

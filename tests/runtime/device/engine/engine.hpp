@@ -172,6 +172,7 @@ void formula_scenes(comparison &with, const settings &s);
 void body_scenes(comparison &with, const settings &s);
 void contact_scenes(comparison &with, const settings &s);
 void self_scenes(comparison &with, const settings &s);
+void stop_scenes(comparison &with, const settings &s);
 void mesh_scenes(comparison &with, const settings &s);
 // Triangles: where these pairs meet, and where a mesh crosses itself, under the scene's name.
 void same_contacts(comparison &with, const std::string &scene, const meetc::view &a, const meetc::view &b,

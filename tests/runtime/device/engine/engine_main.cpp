@@ -23,7 +23,8 @@ constexpr part parts[] = {{"pairs", pair_scenes},       {"again", again_scenes},
                           {"made", made_scenes},        {"orders", order_scenes}, {"given", given_scenes},
                           {"poses", pose_scenes},       {"ends", end_scenes},     {"group", group_scenes},
                           {"device", device_scenes},    {"words", word_scenes},   {"formulas", formula_scenes},
-                          {"contacts", contact_scenes}, {"self", self_scenes},    {"bodies", body_scenes}};
+                          {"contacts", contact_scenes}, {"self", self_scenes},    {"bodies", body_scenes},
+                          {"stops", stop_scenes}};
 
 bool read(int argc, char **argv, cuda_test::settings &s) {
   for (int i = 1; i < argc; ++i) {
