@@ -7,9 +7,12 @@
 
 #include <pybind11/stl.h>
 
+#include <cstdlib>
 #include <tuple>
 
 namespace meetc::python {
+
+namespace py = pybind11;
 
 namespace {
 
@@ -35,6 +38,16 @@ std::vector<std::pair<std::string, std::string>> kinds() {
   return out;
 }
 
+// Before 2.12 pybind11 misreads the types of NumPy 2's arrays.
+void require_numpy() {
+  const auto version = py::module_::import("numpy").attr("__version__").cast<std::string>();
+  if (PYBIND11_VERSION_HEX < 0x020C0000 && std::strtol(version.c_str(), nullptr, 10) >= 2)
+    throw py::import_error(
+        "meetc was compiled with pybind11 " PYBIND11_TOSTRING(PYBIND11_VERSION_MAJOR) "." PYBIND11_TOSTRING(
+            PYBIND11_VERSION_MINOR) ", which does not know NumPy " +
+        version + ": take pybind11 2.12 or later, or NumPy 1");
+}
+
 } // namespace
 
 const kind_info &kind_named(std::string_view name) {
@@ -57,7 +70,9 @@ rung rung_named(std::string_view name) {
 PYBIND11_MODULE(_native, m) {
   using namespace meetc::python;
   m.doc() = "The compiled part of meetc; the package's own functions call it.";
+  require_numpy();
   m.attr("version") = MEETC_PACKAGE_VERSION;
+  m.attr("pybind11") = pybind11::make_tuple(PYBIND11_VERSION_MAJOR, PYBIND11_VERSION_MINOR);
   bind_faults(m);
   bind_sets(m);
   bind_queries(m);

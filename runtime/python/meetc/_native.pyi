@@ -9,6 +9,7 @@ _Longs = NDArray[np.int64]
 _Bools = NDArray[np.bool_]
 
 version: str
+pybind11: tuple[int, int]
 with_cuda: bool
 
 class Fault(ValueError):
