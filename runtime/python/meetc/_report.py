@@ -109,13 +109,15 @@ def of_bodies(
 ) -> Report:
     """The page of many bodies; those of one source have one shape."""
     shapes: dict[int, int] = {}
-    sides, bodies = [], []
+    sides: list[_native._Side] = []
+    bodies: list[tuple[str, int, Doubles]] = []
     for name, of, at in zip(names, sets, poses):
         if id(of._source) not in shapes:
             shapes[id(of._source)] = len(sides)
             sides.append(_as_side(of, name))
         bodies.append((_text(name), shapes[id(of._source)], at))
-    return Report(_native.page_of_bodies(sides, bodies, [tuple(f) for f in frames], precision).decode())
+    rows = [(f.name, f.moved, f.touching, f.nested) for f in frames]
+    return Report(_native.page_of_bodies(sides, bodies, rows, precision).decode())
 
 
 def _as_side(of: Set, letter: str) -> _native._Side:
