@@ -4,9 +4,9 @@
 #include "meet/python/bindings.hpp"
 #include "meet/python/device/dlpack.hpp"
 #include "meet/python/device/the_device.hpp"
-#include "meet/python/signals.hpp"
 #include "meet/python/poses.hpp"
 #include "meet/python/questions.hpp"
+#include "meet/python/signals.hpp"
 #include "meet/python/worlds.hpp"
 
 #include <cga/cga_cuda.hpp>

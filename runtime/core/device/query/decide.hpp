@@ -30,7 +30,8 @@ struct decision_job {
   bool first_alone = false; // only what is met first is asked for, and segments go down alone to it, if they can
 };
 
-// Adds to r's count, candidates, unsure pairs and parts. Marks the clock behind the last kernel. Throws device_error or `cancelled`.
+// Adds to r's count, candidates, unsure pairs and parts. Marks the clock behind the last kernel. Throws device_error or
+// `cancelled`.
 void decide_all(const decision_job &job, device_result &r);
 
 } // namespace meetc

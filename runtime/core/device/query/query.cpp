@@ -77,7 +77,8 @@ device_result query(const device &on, device_rows &a, device_rows &b, const pred
   // Half of the pairs of a set with itself are looked at where the other half has the same answers.
   const bool half = &a == &b && predicate.symmetric && never_wrong(precision) && !options.first_met;
   if (a.elements() > 0 && b.elements() > 0)
-    decide_all({on, a, b, by, precision, half, answers, options.list_capacity, options.progress, options.stop, clock_runs, nullptr,
+    decide_all({on, a, b, by, precision, half, answers, options.list_capacity, options.progress, options.stop,
+                clock_runs, nullptr,
                 options.want == answer_kind::none && options.first_alone.value_or(first_alone_pays(a))},
                r);
   else
