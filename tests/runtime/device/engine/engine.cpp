@@ -160,11 +160,22 @@ void comparison::add(const std::string &scene, const predicate_info &p, const re
   l.device_ms += device_seconds * 1000;
 }
 
+const catalogue *fusing() {
+  for (const instruction_set set : {instruction_set::avx2, instruction_set::avx512})
+    if (const catalogue *c = cga::catalogue_for(set))
+      return c;
+#if defined(__FMA__) || defined(__aarch64__)
+  return &cga::catalogue();
+#else
+  return nullptr;
+#endif
+}
+
 bool fewer_candidates_on_cpu(const predicate_info &p) {
   return p.a->hull == 2 || p.b->hull == 2;
 }
 bool fewer_unsure_on_cpu(const predicate_info &p, const prepared &a, const prepared &b) {
-  return fewer_candidates_on_cpu(p) || normalising_power(a.set(), b.set()) != 0;
+  return !fusing() || fewer_candidates_on_cpu(p) || normalising_power(a.set(), b.set()) != 0;
 }
 
 void comparison::same(const std::string &scene, const predicate_info &p, const prepared &a, const prepared &b,

@@ -26,7 +26,10 @@ void each_predicate(const std::function<void(const meetc::predicate_info &)> &f)
 
 // Whether a rung that is never wrong looks at fewer candidates on the CPU, which tests the two points of an element.
 bool fewer_candidates_on_cpu(const meetc::predicate_info &p);
-// Whether `certified` may leave fewer pairs unsure on the CPU, which also normalises very small and very large sets.
+// The CPU's catalogue whose lanes fuse as a device does; null: none runs here.
+const meetc::catalogue *fusing();
+// Whether `certified` may leave fewer pairs unsure on the CPU, which also normalises very small and very large sets, and where
+// nothing fuses has other bounds.
 bool fewer_unsure_on_cpu(const meetc::predicate_info &p, const meetc::prepared &a, const meetc::prepared &b);
 
 // ---- sets ----

@@ -13,18 +13,6 @@ namespace {
 
 using namespace meetc;
 
-// The catalogue whose lanes fuse as a device does; null: none runs here.
-const catalogue *fusing() {
-  for (const instruction_set set : {instruction_set::avx2, instruction_set::avx512})
-    if (const catalogue *c = cga::catalogue_for(set))
-      return c;
-#if defined(__FMA__) || defined(__aarch64__)
-  return &cga::catalogue();
-#else
-  return nullptr;
-#endif
-}
-
 template <class Number>
 void of_formula(comparison &with, const formula_info &f, std::size_t n, int layout, engine &random) {
   std::vector<std::vector<float>> numbers;
