@@ -26,9 +26,11 @@ constexpr carries plain_ones{true, true, true, false, false, false, false};
 constexpr carries decided{false, true, true, true, true, false, false};
 constexpr carries to_read{true, true, false, false, false, false, false};
 
-// The code, and the proofs of the bounds that it assumes.
+// The code, the headers that it includes, and the proofs of the bounds that it assumes.
 std::vector<file> proved_cpp_files(const unit &u) {
   std::vector<file> out = cpp_files(u);
+  for (file &f : kernel_headers())
+    out.push_back(std::move(f));
   if (u.asks(lang::rung::certified))
     for (file &f : proof_files(u))
       out.push_back(std::move(f));
@@ -223,7 +225,7 @@ std::vector<file> files_of(const unit &u) {
     return t.files && std::any_of(u.scene.backends.begin(), u.scene.backends.end(),
                                   [&](const std::string &name) { return is_under(t, name); });
   };
-  std::vector<file> out = kernel_headers();
+  std::vector<file> out;
   for (const target &t : table)
     if (is_asked(t)) {
       check_carried(t, u);

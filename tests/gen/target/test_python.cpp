@@ -48,6 +48,19 @@ TEST_CASE("a module that a scene asks for no more is removed, and one that is no
   CHECK(fs::exists(folder.path() / "out" / "k" / "own.py"));
 }
 
+TEST_CASE("headers stand beside code that includes them alone") {
+  const temporary_folder folder;
+  for (const char *const backend : {"python", "glsl", "wgsl", "c", "cpp", "cuda"}) {
+    write_scene(folder, fmt::format("'{}'", backend).c_str(), "'ball_ball'", "'fp32'");
+    const outcome o = run_meetc(fmt::format("generate s.toml -o {}", backend), folder.path());
+    INFO(backend << '\n' << o.out << o.err);
+    REQUIRE(o.code == 0);
+    const bool includes_them = fs::exists(folder.path() / backend / "k" / "kinds.hpp");
+    CHECK(includes_them == fs::exists(folder.path() / backend / "meetc"));
+    CHECK(includes_them == (std::string_view(backend).front() == 'c'));
+  }
+}
+
 TEST_CASE("a build may need any target with files, and learns that the scene does not list it") {
   const temporary_folder folder;
   write_scene(folder, "'cpp'", "'ball_ball'", "'fp64'");
