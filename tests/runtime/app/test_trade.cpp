@@ -79,6 +79,7 @@ TEST_CASE("trade: the user's own sets, in either order, and files that are writt
   const std::string csv = get(at("trade_page/trade.csv"));
   CHECK(csv.rfind("family,predicate,method,pairs,hits,ns_a_pair,", 0) == 0);
   CHECK(has(csv, "\nfiles,triangle_triangle,\"certified\","));
+  CHECK(csv.find("\nfiles,") < csv.find("\nrandom,")); // what was asked about comes first
   for (const char *const picture : {"trade.png", "map_triangle_triangle.png", "map_ball_ball.png"})
     CHECK(get(at(std::string("trade_page/") + picture)).rfind("\x89PNG", 0) == 0);
 }

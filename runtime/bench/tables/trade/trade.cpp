@@ -91,11 +91,29 @@ double size_of(const io::element_set &set) {
   return size > 0 ? size : 1;
 }
 
+// The candidates of the user's own sets.
+std::vector<trade_cell> measure_candidates(const catalogue &all, const sets_of_scene &files, const turns &how,
+                                           bench_device *device) {
+  std::vector<trade_cell> out;
+  for (const choice &c : fitting(all, *files.a.kind, *files.b.kind)) {
+    if (!is_measured(*c.predicate))
+      continue;
+    const io::element_set &a = c.swapped ? files.b : files.a, &b = c.swapped ? files.a : files.b;
+    const element_pairs pairs = candidates_of(*c.predicate, a, b, 100'000);
+    if (const double size = size_of(a); pairs.count > 0)
+      out.push_back({c.predicate, "files", fmt::format("candidates of {}", files.name), size, pairs.count,
+                     measure_cell(pairs, how, size, device)});
+  }
+  return out;
+}
+
 std::vector<trade_cell> measure_pairs(const catalogue &all, const request &q, const std::vector<sets_of_scene> &scenes,
                                       bench_device *device, app::progress_line &progress) {
   const std::size_t n = q.quick ? 300 : 20'000;
   const turns how{q.repetitions, q.quick ? 0.2 : 8};
-  std::vector<trade_cell> out;
+  std::vector<trade_cell> out; // what is asked about comes first
+  if (q.a)
+    out = measure_candidates(all, scenes[0], how, device);
   double done = 0;
   for (const trade_family &f : trade_families)
     for (int i = 0; i < all.predicate_count; ++i) {
@@ -106,18 +124,6 @@ std::vector<trade_cell> measure_pairs(const catalogue &all, const request &q, co
         out.push_back({&p, f.name, f.words, size, n,
                        measure_cell(make_pairs(p, n, f.pairs, static_cast<std::uint64_t>(i) + 1), how, size, device)});
     }
-  if (!q.a)
-    return out;
-  const sets_of_scene &files = scenes[0];
-  for (const choice &c : fitting(all, *files.a.kind, *files.b.kind)) {
-    if (!is_measured(*c.predicate))
-      continue;
-    const io::element_set &a = c.swapped ? files.b : files.a, &b = c.swapped ? files.a : files.b;
-    const element_pairs pairs = candidates_of(*c.predicate, a, b, 100'000);
-    if (const double size = size_of(a); pairs.count > 0)
-      out.push_back({c.predicate, "files", fmt::format("candidates of {}", files.name), size, pairs.count,
-                     measure_cell(pairs, how, size, device)});
-  }
   return out;
 }
 
