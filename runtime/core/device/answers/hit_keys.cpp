@@ -91,6 +91,7 @@ bool hit_keys::sort_there() {
     std::swap(buffers.keys, buffers.more_keys);
   }
   check(to_pairs(buffers.keys.data(), keys_, b_.bits, on_.stream()), "starting a kernel");
+  buffers.mark_clock();
   return true;
 }
 

@@ -21,7 +21,7 @@ public:
 
   // Adds n hits, pairs of slots.
   void add(const index_pair *hits, std::size_t n);
-  // Sorts the pairs, and drops repeats where there are owners, which waits.
+  // Sorts the pairs, and drops repeats where there are owners, which waits. Marks the clock behind the last kernel.
   void sort();
 
   // After sort(): the number of pairs, and their list. That is on the device, or null where the host has sorted it.
