@@ -45,7 +45,9 @@ struct device_options {
   pairs_there *leave_there = nullptr;
   std::size_t list_capacity = std::size_t{1} << 25; // pairs in a list, at least 2^11
   std::function<void(double fraction)> progress = {};
-  std::stop_token stop = {}; // as in collide_options; looked at before the query and after each part of the walk
+  // As in collide_options. It is looked at before the query and after each part of the walk; where a stop is possible, a list
+  // holds at most 2^23 pairs, so that parts are short.
+  std::stop_token stop = {};
 };
 
 struct device_result : result {

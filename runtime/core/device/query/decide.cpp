@@ -31,13 +31,19 @@ std::uint64_t expected_pairs(const decision_job &job, walk_lists what) {
   return (3 * std::uint64_t{few} + (many - few) / 2) / (what == walk_lists::balls ? 2 : 1);
 }
 
+// The pairs that a list may hold. Where a stop may be requested, parts are short: some ten milliseconds.
+std::size_t most_listed(const decision_job &job) {
+  constexpr std::size_t of_short_part = std::size_t{1} << 23;
+  return job.stop.stop_possible() ? std::min(job.list_capacity, of_short_part) : job.list_capacity;
+}
+
 class decision {
 public:
   explicit decision(const decision_job &job)
       : job_(job), buffers_(job.on.buffers()),
         first_(job.first_alone ? first_walk_of(job.on, job.a, job.b, job.by, job.precision) : std::nullopt),
         what_(first_ ? walk_lists::first : lists_of(job.by, job.precision)), expected_(expected_pairs(job, what_)),
-        lists_(buffers_, expected_, job.list_capacity, needs_pairs(job)),
+        lists_(buffers_, expected_, most_listed(job), needs_pairs(job)),
         walk_(first_ ? tree_walk{} : walk_of(job.on, job.a, job.b, job.precision, what_, job.half)),
         cleared_(job.counts_cleared),
         stops_early_(!job.answers.empty() &&

@@ -32,6 +32,9 @@ public:
     n_ += n;
   }
 
+  // Whether the list is known to be too short.
+  __device__ bool over() const { return over_; }
+
   // How many places in the list it takes what is left in the buffer.
   __device__ unsigned entries() const {
     if constexpr (!BothWays)
@@ -48,7 +51,9 @@ public:
     unsigned long long at = 0;
     if (lane() == 0 && n > 0)
       at = reserve(w_, n);
-    flush(__shfl_sync(~0U, at, 0));
+    at = __shfl_sync(~0U, at, 0);
+    over_ = at + n > w_.out.capacity;
+    flush(at);
   }
   __device__ void flush(unsigned long long at) {
     __syncwarp();
@@ -78,6 +83,7 @@ private:
   const tree_walk &w_;
   index_pair (&room_)[hits_size];
   unsigned n_ = 0;
+  bool over_ = false;
 };
 
 } // namespace meetc::cuda

@@ -204,10 +204,14 @@ private:
     return touch;
   }
 
-  // Goes down from a node of level `start`.
+  // Goes down from a node of level `start`, until the list is full.
   template <bool Single> __device__ void down(std::uint32_t node) {
     int level = plan_.start;
     for (;;) {
+      if (hits_.over()) {
+        later_ = nodes_to_enter();
+        return;
+      }
       const unsigned touching = touching_children<Single>(level, node);
       if (level == 1) {
         leaves<Single>(node, touching);
