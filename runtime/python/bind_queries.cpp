@@ -21,7 +21,6 @@ struct question {
     out.threads = threads;
     out.owner_a = owners_of(owner_a);
     out.owner_b = owners_of(owner_b);
-    out.progress = check_signals();
     return out;
   }
   result ask(answer_kind want, bool first_met) const {
@@ -29,8 +28,12 @@ struct question {
     how.first_met = first_met;
     const predicate_info &by = predicate_named(predicate);
     const rung with = rung_named(precision);
-    const py::gil_scoped_release others_run;
-    return collide(*a, *b, by, with, how);
+    result found;
+    stoppable(a->elements() + b->elements(), [&](const std::stop_token &stop) {
+      how.stop = stop;
+      found = collide(*a, *b, by, with, how);
+    });
+    return found;
   }
 };
 
@@ -39,17 +42,18 @@ py::array poses(const question &q, bool still_first, const py::array &at, bool a
   if (at.shape(1) != 12)
     throw py::type_error("poses: twelve numbers are needed for each");
   const predicate_info &predicate = predicate_named(q.predicate);
-  const posed_query query{still_first ? *q.a : *q.b,
-                          still_first ? *q.b : *q.a,
-                          predicate,
-                          still_first,
-                          rung_named(q.precision),
-                          q.options(any ? answer_kind::any : answer_kind::count)};
+  posed_query query{still_first ? *q.a : *q.b,
+                    still_first ? *q.b : *q.a,
+                    predicate,
+                    still_first,
+                    rung_named(q.precision),
+                    q.options(any ? answer_kind::any : answer_kind::count)};
   std::vector<std::int64_t> found;
-  {
-    const py::gil_scoped_release others_run;
-    found = over_poses(query, span_of<double>(at));
-  }
+  const std::span<const double> matrices = span_of<double>(at);
+  stoppable((q.a->elements() + q.b->elements()) * matrices.size(), [&](const std::stop_token &stop) {
+    query.options.stop = stop;
+    found = over_poses(query, matrices);
+  });
   return as_array<std::int64_t>(std::move(found));
 }
 

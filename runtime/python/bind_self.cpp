@@ -19,12 +19,11 @@ py::tuple self(const std::shared_ptr<prepared> &set, const py::array &numbers, c
   options.threads = threads;
   options.merge = merge;
   options.owner = owners_of(owner);
-  options.progress = check_signals();
   self_result found;
-  {
-    const py::gil_scoped_release others_run;
+  stoppable(elements.elements, [&](const std::stop_token &stop) {
+    options.stop = stop;
     found = self_pairs(*set, elements, of_one_mesh(), options);
-  }
+  });
   const auto rows = static_cast<py::ssize_t>(found.pairs.size());
   return py::make_tuple(as_array<std::int32_t>(std::move(found.pairs), {rows, 2}),
                         as_array<std::int32_t>(std::move(found.degenerate)));

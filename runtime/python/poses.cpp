@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <string>
 
 namespace meetc::python {
@@ -20,7 +19,7 @@ bool has_length(const kind_info &kind) {
 
 std::int64_t in_pose(const posed_query &q, const pose &at, int threads, collide_options options) {
   const box around = q.still.set().around;
-  const prepared moved = posed(q.moved, at, {&around, 1});
+  const prepared moved = posed(q.moved, at, {&around, 1}, {}, options.stop);
   if (moved.set().elements == 0)
     return 0;
   options.threads = threads;
@@ -46,7 +45,6 @@ pose pose_of(std::span<const double> matrix, const kind_info &kind) {
 }
 
 std::vector<std::int64_t> over_poses(const posed_query &q, std::span<const double> poses) {
-  using clock = std::chrono::steady_clock;
   const kind_info &kind = *(q.still_first ? q.predicate.b : q.predicate.a);
   std::vector<pose> at;
   for (std::size_t i = 0; i < poses.size(); i += 12)
@@ -54,17 +52,9 @@ std::vector<std::int64_t> over_poses(const posed_query &q, std::span<const doubl
   const int threads = thread_count(q.options.threads);
   const int each = at.size() < static_cast<std::size_t>(threads) ? threads : 1;
   std::vector<std::int64_t> out(at.size());
-  clock::time_point next = clock::now();
-  for_chunks(each == 1 ? threads : 1, at.size(), 1, [&](int worker, std::size_t i, std::size_t) {
-    collide_options options = q.options;
-    if (worker != 0)
-      options.progress = {}; // it is for the calling thread
-    else if (options.progress && clock::now() >= next) {
-      options.progress(0);
-      next = clock::now() + std::chrono::milliseconds(100);
-    }
+  for_chunks(execution(each == 1 ? threads : 1, q.options.stop), at.size(), 1, [&](int, std::size_t i, std::size_t) {
     try {
-      out[i] = in_pose(q, at[i], each, options);
+      out[i] = in_pose(q, at[i], each, q.options);
     } catch (const input_error &e) {
       throw input_error(e.where, kind, "pose " + std::to_string(i) + ": ");
     }

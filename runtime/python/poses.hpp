@@ -18,7 +18,7 @@ struct posed_query {
   const predicate_info &predicate;
   bool still_first; // whether the set that does not move is the predicate's first
   rung precision;
-  collide_options options; // any or count
+  collide_options options; // any or count; nothing is told of progress
 };
 
 // For each pose of 12 numbers the number of pairs; 0 or 1 for answer_kind::any. The moved set is posed, and not prepared again

@@ -11,7 +11,7 @@ namespace py = pybind11;
 
 namespace {
 
-constexpr std::size_t few = 1 << 14; // objects whose work is soon done: some milliseconds
+constexpr std::size_t few = 1 << 10; // objects whose work is soon done, be it of all pairs: some milliseconds
 constexpr std::chrono::milliseconds between_looks{50};
 
 void require_no_signal() {

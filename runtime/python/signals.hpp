@@ -8,7 +8,8 @@
 
 namespace meetc::python {
 
-// For collide_options::progress: takes the interpreter's lock, and throws what a handler raises.
+// For a query on a device, which stays on the calling thread, the progress of its options: takes the interpreter's lock, and
+// throws what a handler raises.
 std::function<void(double)> check_signals();
 
 // Releases the interpreter's lock and does `work`, which uses nothing of Python. With many objects the work runs on another

@@ -6,7 +6,6 @@
 #include "meet/core/world/world.hpp"
 #include "meet/python/arrays.hpp"
 #include "meet/python/bindings.hpp"
-#include "meet/python/signals.hpp"
 
 #include <algorithm>
 #include <array>
@@ -27,25 +26,20 @@ inline nesting nesting_named(std::string_view name) {
   return static_cast<nesting>(at - nesting_names.begin());
 }
 
-// World has world_answer touching(world_options): a world, or one on a device.
-template <class World>
-world_answer ask_bodies(World &w, world_options &options, const std::string &precision, int threads) {
-  options.precision = rung_named(precision);
-  options.threads = threads;
-  options.progress = check_signals();
-  const py::gil_scoped_release others_run;
-  return w.touching(options);
-}
+// Asks a world, or one on a device, without the interpreter's lock, until a handler of a signal raises something.
+template <class World> using ask_bodies = world_answer (*)(World &, world_options &);
 
 // The two bodies, the number of their pairs, and with want "pairs" these, for each two that touch.
-template <class World>
+template <class World, ask_bodies<World> Ask>
 py::list touching_bodies_of(World &w, const std::vector<std::uint32_t> &of, const std::string &precision,
                             const std::string &want, int threads) {
   world_options options;
   options.of = of;
   options.want = wanted(want);
   options.first = options.want == answer_kind::any;
-  world_answer found = ask_bodies(w, options, precision, threads);
+  options.precision = rung_named(precision);
+  options.threads = threads;
+  world_answer found = Ask(w, options);
   py::list out;
   for (touching_bodies &t : found.touching) {
     const auto rows = static_cast<py::ssize_t>(t.found.pairs.size());
@@ -55,22 +49,24 @@ py::list touching_bodies_of(World &w, const std::vector<std::uint32_t> &of, cons
 }
 
 // The two bodies, how the one lies in the other, and where that is unknown, the reason.
-template <class World>
+template <class World, ask_bodies<World> Ask>
 py::list nested_bodies_of(World &w, const std::vector<std::uint32_t> &of, const std::string &precision, int threads) {
   world_options options;
   options.of = of;
   options.want = answer_kind::any;
   options.nested = true;
+  options.precision = rung_named(precision);
+  options.threads = threads;
   py::list out;
-  for (const nested_bodies &n : ask_bodies(w, options, precision, threads).nested)
+  for (const nested_bodies &n : Ask(w, options).nested)
     out.append(py::make_tuple(n.a, n.b, nesting_names[static_cast<std::size_t>(n.how)], n.why));
   return out;
 }
 
-template <class World, class... Holder> void bind_bodies(py::class_<World, Holder...> &to) {
-  to.def("touching", &touching_bodies_of<World>, py::arg("of"), py::arg("precision"), py::arg("want"),
+template <auto Ask, class World, class... Holder> void bind_bodies(py::class_<World, Holder...> &to) {
+  to.def("touching", &touching_bodies_of<World, Ask>, py::arg("of"), py::arg("precision"), py::arg("want"),
          py::arg("threads"));
-  to.def("nested", &nested_bodies_of<World>, py::arg("of"), py::arg("precision"), py::arg("threads"));
+  to.def("nested", &nested_bodies_of<World, Ask>, py::arg("of"), py::arg("precision"), py::arg("threads"));
 }
 
 } // namespace meetc::python

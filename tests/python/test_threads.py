@@ -113,6 +113,11 @@ class Threads(unittest.TestCase):
         pairs = np.ascontiguousarray(np.tile(asked.question().pairs(False), (3, 1)))
         formula = {"dtype": np.float64, "threads": 1}
         many = rng.random((3_000_000, 3, 3), np.float32)
+        crowd = Set.triangles(corners[:10000])
+        world = meetc.World(threads=1)
+        world.add("left", crowd)
+        world.add("right", crowd, np.eye(4))
+        poses = np.tile(np.eye(4), (4, 1, 1))
 
         class Enough(Exception):
             pass
@@ -127,8 +132,12 @@ class Threads(unittest.TestCase):
                 lambda: meetc.evaluate("meet(sphere,sphere)", spheres, spheres, rows=rows, **formula),
                 lambda: contacts_of(asked, pairs, True),
                 lambda: Set.triangles(many, threads=1),
+                lambda: meetc.pairs(crowd, crowd.at(np.eye(4)), threads=1),
+                world.touching,
+                lambda: meetc.over_poses(crowd, crowd, poses, threads=1),
+                lambda: meetc.self_pairs(crowd, threads=1),
             ):
-                whole = min(seconds_of(call) for _ in range(3))
+                whole = min(seconds_of(call) for _ in range(2))
                 stopped = []
                 for _ in range(3):
                     signal.setitimer(signal.ITIMER_REAL, whole / 5)

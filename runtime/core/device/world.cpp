@@ -54,14 +54,19 @@ world_answer device_world::ask(const world_options &options) {
   out.pose_seconds = seconds_since(start);
   std::vector<near_bodies> apart;
   auto next = clock::now();
-  for (std::size_t i = 0; i < pairs.size() && !(options.first && !out.touching.empty()); ++i) {
+  const auto tell = [&](double pairs_done) {
     if (options.progress && clock::now() >= next) {
-      options.progress(static_cast<double>(i) / static_cast<double>(pairs.size()));
+      options.progress(pairs_done / static_cast<double>(pairs.size()));
       next = clock::now() + std::chrono::milliseconds(100);
     }
+  };
+  for (std::size_t i = 0; i < pairs.size() && !(options.first && !out.touching.empty()); ++i) {
+    const auto done = static_cast<double>(i);
+    tell(done);
     const near_bodies &p = pairs[i];
     device_options of_pair;
     of_pair.want = options.want;
+    of_pair.progress = [&](double of_this) { tell(done + of_this); };
     of_pair.stop = options.stop;
     of_pair.owner_a = of_.owners(p.first()), of_pair.owner_b = of_.owners(p.second());
     device_result r = collide(on_, bodies_[p.first()]->there, bodies_[p.second()]->there, *p.by.predicate,

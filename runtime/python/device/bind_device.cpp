@@ -155,8 +155,13 @@ struct world_there {
   device_world there;
 
   explicit world_there(std::shared_ptr<world> bodies) : of(std::move(bodies)), there(the_device(), *of) {}
-  world_answer touching(const world_options &options) { return there.touching(options); }
 };
+
+world_answer ask(world_there &w, world_options &options) {
+  options.progress = check_signals();
+  const py::gil_scoped_release others_run;
+  return w.there.touching(options);
+}
 
 } // namespace
 
@@ -183,7 +188,7 @@ void bind_device(py::module_ &module) {
   py::class_<world_there> bodies(module, "WorldThere",
                                  "A World that is asked on the device. It is asked by one thread.");
   bodies.def(py::init<std::shared_ptr<world>>(), py::arg("world"));
-  bind_bodies(bodies);
+  bind_bodies<&ask>(bodies);
   bind_evaluate_there(module);
 }
 
