@@ -89,7 +89,7 @@ std::vector<const io::element_set *> add_bodies(std::span<const page_body> bodie
       for (const std::string &note : b.set.notes)
         to.notes.push_back(fmt::format("{}: {}", b.name, note));
     }
-    to.bodies.push_back({b.name, number, matrix_of(b.at)});
+    to.bodies.push_back({b.name, number, matrix_of(b.at), calm[to.bodies.size() % calm.size()]});
   }
   return sets;
 }

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -31,6 +32,7 @@ struct body {
   std::string name;
   std::size_t shape = 0; // its number
   std::array<double, 12> pose = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+  std::optional<picture::colour> base = {}; // where it touches nothing; none: that of its shape
 };
 
 // Where the pairs meet; the numbers are those of points.

@@ -99,7 +99,6 @@ json shape_in(const shape &s, std::span<const std::uint8_t> named, const placing
               {"name", s.drawn.name},
               {"counted", s.counted},
               {"items", s.items},
-              {"base", colour(s.drawn.base)},
               {"hit", colour(s.drawn.hit_colour)},
               {"centre", at.centre},
               {"detail", detail_in(detail_of(s, chosen, at), mesh, to)}};
@@ -178,7 +177,10 @@ std::string as_html(const scene &s, const limits &most) {
     shapes.push_back(
         shape_in(s.shapes[i], listed.named[i], stand ? at : placing{extents[i].middle(), at.unit}, arrays));
   for (const body &b : s.bodies)
-    bodies.push_back({{"name", b.name}, {"shape", b.shape}, {"pose", b.pose}});
+    bodies.push_back({{"name", b.name},
+                      {"shape", b.shape},
+                      {"pose", b.pose},
+                      {"base", colour(b.base.value_or(s.shapes[b.shape].drawn.base))}});
   json notes = s.notes;
   if (listed.count < s.pairs.size())
     notes.push_back(

@@ -10,7 +10,7 @@ export class Bodies {
     this.poses = report.bodies.map((b) => b.pose);
     this.drawn = report.bodies.map((b, i) => {
       const two = report.frames.length === 0 && report.bodies.length > 1;
-      const drawn = new Drawn(report.shapes[b.shape], two && i > 0 ? 'ghost' : 'solid');
+      const drawn = new Drawn(report.shapes[b.shape], two && i > 0 ? 'ghost' : 'solid', b.base);
       this.group.add(drawn.group);
       return drawn;
     });

@@ -94,10 +94,10 @@ const isSurface = (part) => part.isMesh && !part.isLineSegments2;
 export const modes = ['solid', 'ghost', 'hidden'];
 
 export class Drawn {
-  constructor(shape, mode) {
+  constructor(shape, mode, base) {
     this.group = new three.Group();
     this.group.matrixAutoUpdate = false;
-    const colours = [colourOf(shape.header.base), colourOf(shape.header.hit)];
+    const colours = [colourOf(base), colourOf(shape.header.hit)];
     this.base = colours[0];
     this.parts = [0, 1].map((hit) => {
       const material = surfaceMaterial(colours[hit], hit);

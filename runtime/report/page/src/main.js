@@ -50,7 +50,7 @@ class Page {
   }
   fill() {
     const n = this.entries(), all = this.many ? n : this.report.header.all_pairs, text = n.toLocaleString('en');
-    const what = this.many ? 'pairs of bodies' : 'pairs';
+    const what = (n === 1 ? 'pair' : 'pairs') + (this.many ? ' of bodies' : '');
     $('count').textContent = n < all ? `The first ${text} of ${all.toLocaleString('en')} pairs` : `${text} ${what}`;
     const wanted = $('find').value.trim(), rows = [];
     for (let i = 0; i < n; ++i) if (!wanted || this.matches(i, wanted)) rows.push(i);

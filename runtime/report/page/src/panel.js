@@ -30,7 +30,7 @@ export function writeText(header) {
 export function writeLegend(report, bodies, change) {
   report.bodies.forEach((body, i) => {
     const line = add($('legend'), 'div'), shape = report.shapeOf(i).header;
-    swatch(line, shape.base, 'touches nothing');
+    swatch(line, body.base, 'touches nothing');
     swatch(line, shape.hit, 'touches');
     add(line, 'span', `${body.name}, ${shape.counted}`, 'name').title = body.name;
     const button = add(line, 'button', bodies.drawn[i].mode);

@@ -62,7 +62,7 @@ export class Stage {
   }
   fitting(sphere, direction) {
     const angle = (Math.min(1, this.camera.aspect) * this.camera.fov * Math.PI) / 360;
-    const distance = (0.93 * sphere.radius) / Math.sin(angle);
+    const distance = sphere.radius / Math.sin(angle);
     const from = direction.clone().normalize().multiplyScalar(distance).add(sphere.center);
     return [...from.toArray(), ...sphere.center.toArray()];
   }
