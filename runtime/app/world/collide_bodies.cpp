@@ -49,7 +49,11 @@ void load(const catalogue &all, const bodies_request &q, const world_source &fro
       s.set = std::make_shared<prepared>(prepare(s.elements, q.threads));
       to.prepare_seconds += seconds_since(start);
     }
-    to.bodies.add(b.name, s.set, b.at, s.elements.owner);
+    try {
+      to.bodies.add(b.name, s.set, b.at, s.elements.owner);
+    } catch (const std::invalid_argument &e) {
+      throw failure(b.place.empty() ? e.what() : fmt::format("{}: {}", b.place, e.what()));
+    }
     to.names.push_back(b.name);
     to.shapes.push_back(&s);
   }
@@ -101,6 +105,13 @@ void write_page(const fs::path &to, const bodies_request &q, const bodies_scene 
   for (std::size_t i = 0; i < frames.size(); ++i)
     shown.push_back({frames[i].name, frames[i].moved, answers[i].found});
   io::write_file(to, report::page_of_bodies(bodies, shown, q.precision, name_of(q.precision), s.notes));
+}
+
+// The file of the poses in which a frame has its bodies, to stand before what is wrong with one of them.
+std::string place_of(const bodies_request &q, const std::string &frame) {
+  if (q.poses)
+    return fmt::format("{}: {}", q.poses->string(), frame.empty() ? "" : "frame " + frame + ": ");
+  return q.world ? q.world->string() + ": " : "";
 }
 
 std::vector<fs::path> inputs_of(const bodies_request &q, const world_source &from) {
@@ -175,7 +186,7 @@ bodies_report collide_bodies(const catalogue &all, const bodies_request &q) {
           s.bodies.move(body, at);
         answers.push_back({frames[i].name, asked.touching(options)});
       } catch (const std::invalid_argument &e) {
-        throw failure(frames[i].name.empty() ? e.what() : fmt::format("frame {}: {}", frames[i].name, e.what()));
+        throw failure(place_of(q, frames[i].name) + e.what());
       }
       const world_answer &found = answers.back().found;
       if (!q.pairs && !found.touching.empty() && options.want == answer_kind::pairs)

@@ -85,6 +85,7 @@ private:
     if (!object.contains("file"))
       fail(place, "\"file\" is missing");
     body_source out;
+    out.place = fmt::format("{}: {}", path_.string(), place);
     const fs::path file = text_at(object, "file", place);
     out.file = file.is_absolute() ? file : path_.parent_path() / file;
     out.name = object.contains("name") ? text_at(object, "name", place) : file.stem().string();

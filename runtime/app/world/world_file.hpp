@@ -20,6 +20,7 @@ struct body_source {
   std::string name;
   std::filesystem::path file;
   pose at = {};
+  std::string place = {}; // `FILE: bodies[2]`; empty: the command line
 };
 
 struct world_source {

@@ -275,13 +275,14 @@ TEST_CASE("a fault of a world is one line that names the place") {
   CHECK(has(fault_of("{\"file\": \"cube.ply\", \"pose\": [1,0,0,0, 0,2,0,0, 0,0,1,0]}"), "this is no motion"));
   CHECK(has(fault_of("{\"file\": \"cube.ply\", \"pose\": \"x\"}"), "bodies[0].pose: a list of numbers is expected"));
   CHECK(has(fault_of("{\"file\": \"none.ply\"}"), "none.ply"));
-  CHECK(has(fault_of("{\"file\": \"cube.ply\"}, {\"file\": \"cube.ply\"}"), "body cube: the name is taken"));
+  CHECK(has(fault_of("{\"file\": \"cube.ply\"}, {\"file\": \"cube.ply\"}"),
+            "cell.json: bodies[1]: body cube: the name is taken"));
   CHECK(has(fault_of("{\"file\": \"cube.ply\"}", ", \"allow\": [[\"cubes\", \"*\"]]"),
             "allow[0]: no body is named 'cubes'; did you mean 'cube'?"));
   CHECK(has(fault_of("{\"file\": \"cube.ply\"}", ", \"allow\": [\"cube\"]"), "allow[0]: a pair of names is expected"));
   CHECK(has(fault_of("{\"name\": \"a\", \"file\": \"cube.ply\", \"pose\": [1,0,0,1e39, 0,1,0,0, 0,0,1,0]}, {\"file\": "
                      "\"cube.ply\"}"),
-            "body a, element 0: x0 becomes inf under the pose"));
+            "cell.json: body a, element 0: x0 becomes inf under the pose"));
   world(three);
   const auto fault_of_poses = [](const std::string &rows) {
     put("poses.csv", rows);
