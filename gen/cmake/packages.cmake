@@ -61,6 +61,8 @@ endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE RENAME copyright DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/meetc" COMPONENT meetc_pages)
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/meetc"
   COMPONENT meetc_pages)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/meetc" COMPONENT meetc_pages
+  FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "examples/*" PATTERN "packaging" EXCLUDE)
 
 include(CPack)
 cpack_add_component_group(programs DESCRIPTION "meet collides files of meshes, segments and spheres, exactly.

@@ -1,4 +1,5 @@
-# spack repo add docs/packaging/spack, below a folder packages/meetc, then: spack install meetc@main
+# In an environment, with this file as packages/meetc/package.py of a repository that `spack repo add` knows:
+#   spack develop --path CHECKOUT meetc@=main && spack add meetc@main && spack install
 from spack.package import *
 
 
@@ -6,7 +7,7 @@ class Meetc(CMakePackage, CudaPackage):
     """Exact collisions of meshes, and a compiler of geometric algebra."""
 
     license("MIT")
-    version("main", branch="main")
+    version("main")  # of a checkout; `spack develop` names its folder
 
     variant("cuda", default=False, description="Queries on CUDA devices")
 
@@ -16,6 +17,7 @@ class Meetc(CMakePackage, CudaPackage):
     depends_on("tomlplusplus")
     depends_on("cli11")
     depends_on("nlohmann-json")
+    depends_on("tinyxml2")
     depends_on("flint")
     depends_on("gmp")
     depends_on("libpng")
