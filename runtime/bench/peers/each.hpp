@@ -9,6 +9,7 @@ namespace meetc::bench::peers {
 library embree();
 library cgal();
 library fcl();
+library trueform();
 
 } // namespace meetc::bench::peers
 

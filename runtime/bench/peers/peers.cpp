@@ -21,6 +21,11 @@ std::vector<library> libraries() {
 #else
   all.push_back({"FCL"});
 #endif
+#if MEETC_WITH_TRUEFORM
+  all.push_back(trueform());
+#else
+  all.push_back({"trueform"});
+#endif
   return all;
 }
 

@@ -50,7 +50,7 @@ struct library {
   std::vector<offered_finder> triangles_triangles = {}, segments_triangles = {};
 };
 
-// Embree, CGAL and FCL, in this order, whether built in or not.
+// Embree, CGAL, FCL and trueform, in this order, whether built in or not.
 std::vector<library> libraries();
 
 // An exact kernel's decisions on n pairs of triangles, row i with row i, for one instruction set. The functions are plain
