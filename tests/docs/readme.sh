@@ -50,11 +50,13 @@ shows "| meetc | proved | $given |"
 shows "| of plain float | $(awk "BEGIN {print $build + $query}") |"
 read -r found both <<<"$(cells cpu.md 'bunny x armadillo' certified 7 6)"
 shows "| meetc | $found pairs, proved | 1 |"
-for method in 'Embree, rtcCollide, low quality' 'CGAL, AABB tree, EPICK' 'FCL, OBBRSS'; do
+for method in 'Embree, rtcCollide, low quality' 'trueform, AABB tree' 'CGAL, AABB tree, EPICK' 'FCL, OBBRSS'; do
   read -r found time <<<"$(cells cpu.md 'bunny x armadillo' "$method" 7 6)"
   ratio=$(awk "BEGIN {printf \"%.2g\", $time / $both}")
   grep -qE "^\| $method \| $found pairs[^|]* \| $ratio \|$" README.md || { echo "README.md: $method: $found, $ratio"; exit 1; }
 done
+read -r wrong missed <<<"$(cells cpu.md 'bunny x armadillo' 'trueform, AABB tree' 8 9)"
+shows "pairs, $wrong of them wrong and $missed missed |"
 
 # ---- the example, the links, and the files that are named ----
 [ "$(wc -l <docs/examples/tiny.toml)" -le 10 ]
